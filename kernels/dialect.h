@@ -1,0 +1,130 @@
+// One small vocabulary with three meanings: GLSL, OpenCL C and C++.
+//
+// A kernel is written once, in the words below, and compiled three times: by glslang (TESSERA_GLSL), by an OpenCL
+// driver (TESSERA_OPENCL) and by the host compiler (neither). Rules that the words cannot enforce:
+//   - floats meet only + - x, comparisons and bit casts (kernels/exact.h has the rest); the build checks the SPIR-V;
+//   - scalars and structs of scalars only: vector types keep PoCL from vectorising;
+//   - a function never takes a buffer (GLSL has no pointers): kernels load, functions compute, kernels store;
+//   - every item writes its own elements; no barriers, group memory or atomics;
+//   - unsigned literals end in u, float literals in f.
+#ifndef TESSERA_DIALECT_H
+#define TESSERA_DIALECT_H
+
+// Work items of one workgroup; WebGPU promises 256, SwiftShader has no more.
+#define WORKGROUP_SIZE 64
+
+#if defined(TESSERA_GLSL)
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+#define FUNCTION
+#define STRUCT(name) struct name
+#define float_bits(x) floatBitsToUint(x)
+#define bits_float(x) uintBitsToFloat(x)
+#define to_float(x) float(x)
+#define to_uint(x) uint(x)
+
+// Bindings of a kernel: READ and WRITE are storage buffers, UNIFORM is one struct of 32-bit scalars.
+#define READ(slot, type, name) \
+    layout(set = 0, binding = slot, std430) restrict readonly buffer name##_buffer { type name[]; };
+#define WRITE(slot, type, name) \
+    layout(set = 0, binding = slot, std430) restrict buffer name##_buffer { type name[]; };
+#define UNIFORM(slot, type, name) \
+    layout(set = 0, binding = slot, std140) uniform name##_buffer { type name; };
+#define LOAD_UNIFORM(name) name
+
+#define KERNEL2(name, a, b) a b void main()
+#define KERNEL3(name, a, b, c) a b c void main()
+#define KERNEL4(name, a, b, c, d) a b c d void main()
+#define KERNEL5(name, a, b, c, d, e) a b c d e void main()
+#define KERNEL6(name, a, b, c, d, e, f) a b c d e f void main()
+
+// Index of the work item over both dimensions of the dispatch.
+#define ITEM (gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * uint(WORKGROUP_SIZE)))
+
+#elif defined(TESSERA_OPENCL)
+
+_Pragma("OPENCL FP_CONTRACT OFF")
+
+#define FUNCTION static inline
+#define STRUCT(name) typedef struct name name; struct name
+#define float_bits(x) as_uint(x)
+#define bits_float(x) as_float(x)
+#define to_float(x) ((float)(x))
+#define to_uint(x) ((uint)(x))
+
+#define READ(slot, type, name) __global const type* restrict name
+#define WRITE(slot, type, name) __global type* restrict name
+#define UNIFORM(slot, type, name) __global const type* restrict name
+#define LOAD_UNIFORM(name) (*name)
+
+#define KERNEL2(name, a, b) __kernel void name(a, b)
+#define KERNEL3(name, a, b, c) __kernel void name(a, b, c)
+#define KERNEL4(name, a, b, c, d) __kernel void name(a, b, c, d)
+#define KERNEL5(name, a, b, c, d, e) __kernel void name(a, b, c, d, e)
+#define KERNEL6(name, a, b, c, d, e, f) __kernel void name(a, b, c, d, e, f)
+
+#define ITEM ((uint)get_global_id(0) + (uint)get_global_id(1) * (uint)get_global_size(0))
+
+#else  // C++: a kernel is a function whose parameter types carry slot and access, so that the host can read them.
+
+#include <bit>
+#include <cstdint>
+
+namespace tessera::kernels {
+
+using uint = std::uint32_t;
+
+struct Item {
+    uint index;
+};
+template <unsigned Slot, typename T>
+struct Read {
+    const T* data;
+    const T& operator[](uint i) const { return data[i]; }
+};
+template <unsigned Slot, typename T>
+struct Write {
+    T* data;
+    T& operator[](uint i) const { return data[i]; }
+};
+template <unsigned Slot, typename T>
+struct Uniform {
+    const T* data;
+    const T& operator*() const { return *data; }
+};
+
+}  // namespace tessera::kernels
+
+#define FUNCTION inline
+#define STRUCT(name) struct name
+#define float_bits(x) std::bit_cast<uint>(x)
+#define bits_float(x) std::bit_cast<float>(static_cast<uint>(x))
+#define to_float(x) static_cast<float>(x)
+#define to_uint(x) static_cast<uint>(x)
+
+#define READ(slot, type, name) Read<slot, type> name
+#define WRITE(slot, type, name) Write<slot, type> name
+#define UNIFORM(slot, type, name) Uniform<slot, type> name
+#define LOAD_UNIFORM(name) (*name)
+
+#define KERNEL2(name, a, b) inline void name(Item dispatched, a, b)
+#define KERNEL3(name, a, b, c) inline void name(Item dispatched, a, b, c)
+#define KERNEL4(name, a, b, c, d) inline void name(Item dispatched, a, b, c, d)
+#define KERNEL5(name, a, b, c, d, e) inline void name(Item dispatched, a, b, c, d, e)
+#define KERNEL6(name, a, b, c, d, e, f) inline void name(Item dispatched, a, b, c, d, e, f)
+
+#define ITEM dispatched.index
+
+#endif
+
+// C++ wraps shared code in its namespace; the other two have none.
+#if defined(TESSERA_GLSL) || defined(TESSERA_OPENCL)
+#define KERNELS_BEGIN
+#define KERNELS_END
+#else
+#define KERNELS_BEGIN namespace tessera::kernels {
+#define KERNELS_END }
+#endif
+
+#endif

@@ -1,0 +1,89 @@
+// Strides, limits and parameter structs shared by kernels and host. All members are 32-bit scalars, so that std140,
+// OpenCL C and C++ agree on every offset.
+#ifndef TESSERA_LAYOUT_H
+#define TESSERA_LAYOUT_H
+
+#include "dialect.h"
+
+// A control vertex and an output vertex alike: position x y z, normal x y z, texture coordinates u v.
+#define VERTEX_FLOATS 8u
+
+// Partitionings, as stored in a patch record. The first four are those of the fixed-function tessellator; UNIFORM is
+// the even triangular grid of Vlachos et al. 2001.
+#define PARTITIONING_INTEGER 0u
+#define PARTITIONING_POW2 1u
+#define PARTITIONING_FRACTIONAL_ODD 2u
+#define PARTITIONING_FRACTIONAL_EVEN 3u
+#define PARTITIONING_UNIFORM 4u
+
+// Domains, as stored in a patch record.
+#define DOMAIN_TRIANGLE 0u
+#define DOMAIN_QUAD 1u
+#define DOMAIN_ISOLINE 2u
+
+// Factors per patch in the factor buffer, for every domain: outer factors first, then inner; unused ones are ignored.
+#define PATCH_FACTORS 6u
+
+// A patch record is made by the factors stage and read by every later one:
+//   word 0: flags (below); words 1..6: the factors in 16.16 fixed point, clamped and rounded; word 7: unused, zero.
+#define RECORD_WORDS 8u
+#define RECORD_DOMAIN_MASK 3u
+#define RECORD_CULLED 4u       // no points, no triangles
+#define RECORD_SINGLE 8u       // all factors are one: corners only
+#define RECORD_UNIFORM 16u     // even triangular grid; word 1 holds the level as an integer
+#define RECORD_FLIP 32u        // triangles are emitted with the opposite winding
+#define RECORD_ODD_SHIFT 8u    // bit 8 + i: factor i splits its edge into an odd number of segments
+
+// Counts and offsets hold two words per patch: vertices, indices.
+#define COUNT_WORDS 2u
+
+// Control nets, one per patch, floats: control points of degree d (3 each), normals of degree n (3 each), then the three
+// texture coordinates (2 each). Order of control points, with corners 0, 1, 2 at u = 1, v = 1, w = 1:
+//   degree 1: 0 1 2;  degree 2: 0 1 2 01 12 20;  degree 3: 0 1 2 01 10 12 21 20 02 centre (ij: next to i, towards j).
+#define NET_POINTS(degree) ((degree) == 1u ? 3u : ((degree) == 2u ? 6u : 10u))
+#define NET_FLOATS(degree, normal_degree) (3u * NET_POINTS(degree) + 3u * NET_POINTS(normal_degree) + 6u)
+
+// Items of one block of the scan.
+#define SCAN_BLOCK 256u
+
+KERNELS_BEGIN
+
+STRUCT(ScaleProbeParams) {
+    uint count;
+    float factor;
+};
+
+STRUCT(FactorsParams) {
+    uint patch_count;
+    uint partitioning;
+    uint domain;
+    uint flip;       // 1: reverse the winding
+    uint per_patch;  // 0: factors 0..5 hold for every patch; 1: PATCH_FACTORS per patch
+};
+
+STRUCT(CountsParams) {
+    uint patch_count;
+};
+
+STRUCT(ScanParams) {
+    uint count;  // pairs to scan
+};
+
+STRUCT(ControlNetsParams) {
+    uint patch_count;
+    float alpha;  // shape factor of Phong tessellation; other schemes ignore it
+};
+
+// Emission of the patches [first_patch, first_patch + patch_count) into buffers that begin with the first of them.
+STRUCT(EmitParams) {
+    uint first_patch;
+    uint patch_count;
+    uint lanes_log2;     // 2^lanes_log2 items share a patch: item = patch << lanes_log2 | lane
+    uint first_vertex;   // offset of first_patch's first vertex, subtracted from every vertex position
+    uint first_index;    // likewise for indices
+    uint vertex_base;    // added to every index value
+};
+
+KERNELS_END
+
+#endif

@@ -1,0 +1,29 @@
+// Stage 6: records and offsets -> triangles, three indices each.
+#include "tessellator/triangle.h"
+
+KERNELS_BEGIN
+
+KERNEL4(indices, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, index_buffer),
+        UNIFORM(3, EmitParams, params)) {
+    const EmitParams p = LOAD_UNIFORM(params);
+    const uint item = ITEM;
+    if ((item >> p.lanes_log2) >= p.patch_count) {
+        return;
+    }
+    const uint patch_index = p.first_patch + (item >> p.lanes_log2);
+    const uint lanes = 1u << p.lanes_log2;
+    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, patch_index);
+    const bool flip = (t.flags & RECORD_FLIP) != 0u;
+    const uint base = p.vertex_base + (offsets[patch_index * COUNT_WORDS] - p.first_vertex);
+    const uint start = offsets[patch_index * COUNT_WORDS + 1u] - p.first_index;
+    const uint count = triangle_triangle_count(t);
+    for (uint i = item & (lanes - 1u); i < count; i = i + lanes) {
+        const Triangle corners = triangle_triangle(t, i);
+        const uint at = start + 3u * i;
+        index_buffer[at] = base + corners.a;
+        index_buffer[at + 1u] = base + (flip ? corners.c : corners.b);
+        index_buffer[at + 2u] = base + (flip ? corners.b : corners.c);
+    }
+}
+
+KERNELS_END

@@ -1,0 +1,8 @@
+// Vertices of cubic surfaces with quadratic normals.
+#include "schemes/basis.h"
+#include "tessellator/triangle.h"
+
+#define VERTICES_KERNEL vertices_cubic_quadratic
+#define VERTICES_DEGREE 3
+#define VERTICES_NORMALS 2
+#include "schemes/vertices_kernel.h"

@@ -1,0 +1,8 @@
+// Vertices of quadratic surfaces with linear normals.
+#include "schemes/basis.h"
+#include "tessellator/triangle.h"
+
+#define VERTICES_KERNEL vertices_quadratic_linear
+#define VERTICES_DEGREE 2
+#define VERTICES_NORMALS 1
+#include "schemes/vertices_kernel.h"

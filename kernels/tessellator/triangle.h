@@ -1,0 +1,256 @@
+// The triangle domain: points and triangles of a patch by their index, in the order of the D3D11 tessellator. Every
+// element is computed on its own, so that any item may make any of them.
+//
+//          V = 65536                 Edge U=0 is opposite to control point 0, V=0 to 1, W=0 to 2. Points: the outer
+//            |\                      ring (edges U=0, V=0, W=0, each without its last point), then ring after ring
+//      U=0   | \   W=0               inwards, then the centre where the inside factor is even.
+//            |__\                    .
+//  (0,0)      V=0   U = 65536
+#ifndef TESSERA_TESSELLATOR_TRIANGLE_H
+#define TESSERA_TESSELLATOR_TRIANGLE_H
+
+#include "tessellator/edge.h"
+
+KERNELS_BEGIN
+
+/// A place in the domain, 16.16. For triangles w = 65536 - u - v.
+STRUCT(DomainPoint) {
+    uint u;
+    uint v;
+};
+
+FUNCTION DomainPoint make_domain_point(uint u, uint v) {
+    DomainPoint point;
+    point.u = u;
+    point.v = v;
+    return point;
+}
+
+/// What the record of a triangle patch says, unpacked once per patch.
+STRUCT(TrianglePatch) {
+    uint flags;
+    uint level;  // of a uniform pattern
+    Edge edge0;
+    Edge edge1;
+    Edge edge2;
+    Edge inside;
+    uint outer_points;  // points of the outer ring
+    uint rings;         // inner rings of points, without the centre
+};
+
+/// Reads a patch record from a buffer.
+#define LOAD_TRIANGLE_PATCH(records, patch_index)                                                   \
+    make_triangle_patch(records[(patch_index) * RECORD_WORDS], records[(patch_index) * RECORD_WORDS + 1u],     \
+                        records[(patch_index) * RECORD_WORDS + 2u], records[(patch_index) * RECORD_WORDS + 3u], \
+                        records[(patch_index) * RECORD_WORDS + 4u])
+
+FUNCTION TrianglePatch make_triangle_patch(uint flags, uint factor0, uint factor1, uint factor2, uint inside) {
+    TrianglePatch p;
+    const uint odd = flags >> RECORD_ODD_SHIFT;
+    p.flags = flags;
+    p.level = factor0;
+    p.edge0 = make_edge(factor0, odd & 1u);
+    p.edge1 = make_edge(factor1, (odd >> 1u) & 1u);
+    p.edge2 = make_edge(factor2, (odd >> 2u) & 1u);
+    p.inside = make_edge(inside, (odd >> 3u) & 1u);
+    p.outer_points = p.edge0.points + p.edge1.points + p.edge2.points - 3u;
+    p.rings = (p.inside.points >> 1u) - 1u;
+    return p;
+}
+
+FUNCTION uint triangle_point_count(TrianglePatch p) {
+    if ((p.flags & RECORD_CULLED) != 0u) {
+        return 0u;
+    }
+    if ((p.flags & RECORD_SINGLE) != 0u) {
+        return 3u;
+    }
+    if ((p.flags & RECORD_UNIFORM) != 0u) {
+        return ((p.level + 1u) * (p.level + 2u)) >> 1u;
+    }
+    const uint r = p.rings;
+    return p.outer_points + (p.inside.odd != 0u ? 3u * r * r : 3u * r * (r + 1u) + 1u);
+}
+
+FUNCTION uint triangle_triangle_count(TrianglePatch p) {
+    if ((p.flags & RECORD_CULLED) != 0u) {
+        return 0u;
+    }
+    if ((p.flags & RECORD_SINGLE) != 0u) {
+        return 1u;
+    }
+    if ((p.flags & RECORD_UNIFORM) != 0u) {
+        return p.level * p.level;
+    }
+    // Ring 1 has outer_points + 3 (N - 3) triangles, ring j > 1 has 6 (N - 2j), an odd centre one more.
+    const uint n = p.inside.points;
+    const uint last = (n - 1u) >> 1u;  // the innermost row of triangles: j = 2..last
+    const uint inner = 6u * ((last - 1u) * n - (last * (last + 1u) - 2u));
+    return p.outer_points + 3u * (n - 3u) + inner + p.inside.odd;
+}
+
+/// Ring r >= 1 of points begins 3 (r - 1) (N - 1 - r) points after the outer ring.
+FUNCTION uint ring_start(uint r, uint points) {
+    return 3u * (r - 1u) * (points - 1u - r);
+}
+
+/// Row y of the even grid of a level begins at this point: y rows of level + 1, level, ... points.
+FUNCTION uint uniform_row_start(uint y, uint level) {
+    return y * (level + 1u) - ((y * (y - 1u)) >> 1u);
+}
+
+/// Point i of the even grid: rows of constant v from v = 0 up, u ascending.
+FUNCTION DomainPoint uniform_point(uint level, uint i) {
+    uint y = 0u;
+    for (uint bit = 64u; bit > 0u; bit = bit >> 1u) {
+        const uint candidate = y + bit;
+        y = candidate <= level && uniform_row_start(candidate, level) <= i ? candidate : y;
+    }
+    const uint x = i - uniform_row_start(y, level);
+    // Each coordinate is rounded from the corner it is nearer to in index, so that reversed edges give 65536 - c.
+    const uint z = level - x - y;
+    const uint half_level = level >> 1u;
+    const uint u = (x * 65536u + half_level) / level;
+    const uint v = (y * 65536u + half_level) / level;
+    const uint w = (z * 65536u + half_level) / level;
+    // u + v + w may miss 65536 by one; on an edge the missing unit goes to the greater of its two coordinates.
+    if (y == 0u) {
+        return make_domain_point(x > z ? 65536u - w : u, 0u);
+    }
+    if (x == 0u) {
+        return make_domain_point(0u, y > z ? 65536u - w : v);
+    }
+    if (z == 0u) {
+        return x > y ? make_domain_point(65536u - v, v) : make_domain_point(u, 65536u - u);
+    }
+    return make_domain_point(u, v);
+}
+
+FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
+    if ((p.flags & RECORD_SINGLE) != 0u) {
+        return make_domain_point(i == 2u ? 65536u : 0u, i == 0u ? 65536u : 0u);
+    }
+    if ((p.flags & RECORD_UNIFORM) != 0u) {
+        return uniform_point(p.level, i);
+    }
+    if (i < p.outer_points) {
+        const uint start1 = p.edge0.points - 1u;
+        const uint start2 = start1 + p.edge1.points - 1u;
+        const uint side = i < start1 ? 0u : (i < start2 ? 1u : 2u);
+        const Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
+        const uint k = i - (side == 0u ? 0u : (side == 1u ? start1 : start2));
+        const uint c = edge_coordinate(edge, side == 1u ? k : edge.points - 1u - k);
+        return make_domain_point(side == 0u ? 0u : c, side == 0u ? c : (side == 1u ? 0u : 65536u - c));
+    }
+    const uint n = p.inside.points;
+    const uint inner = i - p.outer_points;
+    const uint last = p.rings + (p.inside.odd != 0u ? 0u : 1u);  // the centre counts as a ring
+    uint r = 1u;
+    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
+        const uint candidate = r + bit;
+        r = candidate <= last && ring_start(candidate, n) <= inner ? candidate : r;
+    }
+    const uint segments = n - 1u - 2u * r;
+    if (segments == 0u) {
+        return make_domain_point(0x5555u, 0x5555u);
+    }
+    const uint q = inner - ring_start(r, n);
+    const uint side = q < segments ? 0u : (q < 2u * segments ? 1u : 2u);
+    const uint k = q - side * segments;
+    const uint perpendicular = (edge_coordinate(p.inside, r) * 0xaaaau + 0x8000u) >> 16u;
+    const uint along = edge_coordinate(p.inside, side == 1u ? r + k : n - 1u - r - k) - ((perpendicular + 1u) >> 1u);
+    return make_domain_point(side == 0u ? perpendicular : along,
+                             side == 0u ? along : (side == 1u ? perpendicular : 65536u - along - perpendicular));
+}
+
+/// A corner of a row triangle -> point index. Side `side` of a ring of rows with the given starts and lengths.
+FUNCTION uint ring_corner(uint start, uint offset, uint total, uint at) {
+    const uint sum = offset + at;
+    return start + (sum >= total ? sum - total : sum);
+}
+
+/// Triangle t of the even grid.
+FUNCTION Triangle uniform_triangle(uint level, uint t) {
+    // Row y has 2 (level - y) - 1 triangles and begins after y (2 level - y) of them.
+    uint y = 0u;
+    for (uint bit = 32u; bit > 0u; bit = bit >> 1u) {
+        const uint candidate = y + bit;
+        y = candidate < level && candidate * (2u * level - candidate) <= t ? candidate : y;
+    }
+    const uint k = t - y * (2u * level - y);
+    const uint x = k >> 1u;
+    const uint low = uniform_row_start(y, level) + x;
+    const uint high = uniform_row_start(y + 1u, level) + x;
+    return (k & 1u) == 0u ? make_triangle(low, low + 1u, high) : make_triangle(low + 1u, high + 1u, high);
+}
+
+/// Triangle t as point indices of the patch, with positive area where u points right and v up.
+FUNCTION Triangle triangle_triangle(TrianglePatch p, uint t) {
+    if ((p.flags & RECORD_SINGLE) != 0u) {
+        return make_triangle(0u, 1u, 2u);
+    }
+    if ((p.flags & RECORD_UNIFORM) != 0u) {
+        return uniform_triangle(p.level, t);
+    }
+    const uint n = p.inside.points;
+    const uint inner_segments = n - 3u;
+    const uint first_row = p.outer_points + 3u * inner_segments;
+    if (t < first_row) {
+        const uint start1 = p.edge0.points - 1u;
+        const uint start2 = start1 + p.edge1.points - 1u;
+        const uint count0 = start1 + inner_segments;
+        const uint count01 = start2 + 2u * inner_segments;
+        const uint side = t < count0 ? 0u : (t < count01 ? 1u : 2u);
+        const uint s = t - (side == 0u ? 0u : (side == 1u ? count0 : count01));
+        const Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
+        const Triangle row = transition_triangle(s, edge.half_points - edge.odd, edge.odd,
+                                                 p.inside.half_points - p.inside.odd, p.inside.odd);
+        const uint outer_offset = side == 0u ? 0u : (side == 1u ? start1 : start2);
+        const uint inner_total = inner_segments == 0u ? 1u : 3u * inner_segments;
+        const uint inner_offset = side * inner_segments;
+        return make_triangle(
+            row.a < ON_INSIDE ? ring_corner(0u, outer_offset, p.outer_points, row.a)
+                              : ring_corner(p.outer_points, inner_offset, inner_total, row.a - ON_INSIDE),
+            row.b < ON_INSIDE ? ring_corner(0u, outer_offset, p.outer_points, row.b)
+                              : ring_corner(p.outer_points, inner_offset, inner_total, row.b - ON_INSIDE),
+            row.c < ON_INSIDE ? ring_corner(0u, outer_offset, p.outer_points, row.c)
+                              : ring_corner(p.outer_points, inner_offset, inner_total, row.c - ON_INSIDE));
+    }
+    const uint inner = t - first_row;
+    // Row j >= 2 lies between rings j - 1 and j and begins after 6 ((j - 2) N - (j - 1) j + 2) inner triangles.
+    const uint last = (n - 1u) >> 1u;
+    uint j = 2u;
+    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
+        const uint candidate = j + bit;
+        const uint before = 6u * ((candidate - 2u) * n + 2u - (candidate - 1u) * candidate);
+        j = candidate <= last && before <= inner ? candidate : j;
+    }
+    const uint before = 6u * ((j - 2u) * n + 2u - (j - 1u) * j);
+    const uint points = n - 2u * j;  // of ring j's row on one side
+    const uint outer_segments = points + 1u;
+    const uint outer_start = p.outer_points + ring_start(j - 1u, n);
+    if (j > last || inner - before >= 6u * points) {
+        // The odd centre: one triangle over the last ring, which has one segment per side.
+        const uint b = p.outer_points + ring_start(p.rings, n);
+        return make_triangle(b, b + 1u, b + 2u);
+    }
+    const uint s = inner - before;
+    const uint side = s < 2u * points ? 0u : (s < 4u * points ? 1u : 2u);
+    const Triangle row = ring_triangle(s - side * 2u * points, points);
+    const uint inner_segments_here = points - 1u;
+    const uint inner_start = outer_start + 3u * outer_segments;
+    const uint inner_total = inner_segments_here == 0u ? 1u : 3u * inner_segments_here;
+    const uint outer_offset = side * outer_segments;
+    const uint inner_offset = side * inner_segments_here;
+    return make_triangle(
+        row.a < ON_INSIDE ? ring_corner(outer_start, outer_offset, 3u * outer_segments, row.a)
+                          : ring_corner(inner_start, inner_offset, inner_total, row.a - ON_INSIDE),
+        row.b < ON_INSIDE ? ring_corner(outer_start, outer_offset, 3u * outer_segments, row.b)
+                          : ring_corner(inner_start, inner_offset, inner_total, row.b - ON_INSIDE),
+        row.c < ON_INSIDE ? ring_corner(outer_start, outer_offset, 3u * outer_segments, row.c)
+                          : ring_corner(inner_start, inner_offset, inner_total, row.c - ON_INSIDE));
+}
+
+KERNELS_END
+
+#endif

@@ -1,0 +1,41 @@
+// A scene as kernels want it: control vertices and triangle patches, scaled so that no arithmetic meets a denormal.
+#pragma once
+
+#include "scene/scene.hpp"
+#include "tessellate/refined_mesh.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tessera::patches {
+
+/// The patches made from one mesh of the scene.
+struct PatchRange {
+    std::string name;
+    std::uint32_t material = 0;
+    std::uint64_t first_patch = 0;
+    std::uint64_t patch_count = 0;
+};
+
+/// Triangle patches over shared control vertices, in the order of the scene's meshes.
+struct PatchSet {
+    std::vector<Vertex> control_vertices;  ///< positions times 2^-exponent
+    std::vector<std::uint32_t> indices;    ///< three per patch
+    std::vector<PatchRange> ranges;
+    /// The largest coordinate of the scene lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
+    /// 2^exponent, exactly.
+    int exponent = 0;
+
+    std::uint64_t patch_count() const { return indices.size() / 3; }
+};
+
+/// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60
+/// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel.
+/// Throws Error(usage) where there is nothing to tessellate or more than 2^32 - 1 control vertices.
+PatchSet make_patches(const scene::Scene& scene);
+
+/// A position of kernel space in the model's units; exact unless the result is denormal or overflows.
+float to_model_space(float coordinate, int exponent);
+
+}  // namespace tessera::patches

@@ -1,0 +1,45 @@
+#include "tessellate/options.hpp"
+
+#include "base/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <span>
+
+namespace tessera {
+namespace {
+
+constexpr std::array<std::string_view, 3> scheme_names{"linear", "phong", "pn"};
+constexpr std::array<std::string_view, 2> normals_names{"linear", "quadratic"};
+constexpr std::array<std::string_view, 5> partitioning_names{"integer", "pow2", "fractional_odd", "fractional_even",
+                                                             "uniform"};
+
+std::size_t index_of(std::span<const std::string_view> names, std::string_view name, const char* what) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == name) {
+            return i;
+        }
+    }
+    throw Error(ErrorKind::usage,
+                fmt::format("There is no {} named \"{}\"; choose one of {}.", what, name, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+std::string_view name(Scheme scheme) { return scheme_names.at(static_cast<std::size_t>(scheme)); }
+std::string_view name(Normals normals) { return normals_names.at(static_cast<std::size_t>(normals)); }
+std::string_view name(Partitioning partitioning) {
+    return partitioning_names.at(static_cast<std::size_t>(partitioning));
+}
+
+Scheme scheme_from_name(std::string_view name) {
+    return static_cast<Scheme>(index_of(scheme_names, name, "scheme"));
+}
+Normals normals_from_name(std::string_view name) {
+    return static_cast<Normals>(index_of(normals_names, name, "kind of normals"));
+}
+Partitioning partitioning_from_name(std::string_view name) {
+    return static_cast<Partitioning>(index_of(partitioning_names, name, "partitioning"));
+}
+
+}  // namespace tessera

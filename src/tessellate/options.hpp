@@ -1,0 +1,59 @@
+// What a tessellation job may be asked for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tessera {
+
+/// How a patch is curved.
+enum class Scheme {
+    linear,  ///< flat
+    phong,   ///< Phong tessellation, Boubekeur and Alexa 2008: quadratic
+    pn,      ///< PN triangles, Vlachos et al. 2001: cubic
+};
+
+/// How normals vary over a patch.
+enum class Normals {
+    linear,     ///< interpolated from the corners
+    quadratic,  ///< with a coefficient per edge, Vlachos et al. 2001, section 3.3
+};
+
+/// How a factor becomes segments. The values are those of the kernels (kernels/layout.h).
+enum class Partitioning : std::uint32_t {
+    integer = 0,
+    pow2 = 1,
+    fractional_odd = 2,
+    fractional_even = 3,
+    uniform = 4,  ///< the even grid of Vlachos et al. 2001; one level per patch, the largest of its factors
+};
+
+/// Factors in the order edge U=0, V=0, W=0, inside (triangles), padded to six.
+using PatchFactors = std::array<float, 6>;
+
+struct TessellationOptions {
+    Scheme scheme = Scheme::pn;
+    Normals normals = Normals::quadratic;
+    Partitioning partitioning = Partitioning::fractional_odd;
+    /// One set for every patch, or one per patch. Any float is allowed: factors are clamped to [1, 64] and a patch with
+    /// an outer factor that is not positive is culled, as the fixed-function stage does.
+    std::variant<PatchFactors, std::vector<PatchFactors>> factors = PatchFactors{4, 4, 4, 4, 4, 4};
+    float alpha = 0.75f;  ///< shape factor of Phong tessellation in [0, 1]: 0 flat, 1 full
+    /// Bytes of device memory a job may take; outputs larger than that are made in batches.
+    std::uint64_t memory_budget = 512ull << 20;
+};
+
+/// Names as the command line has them ("pn", "fractional_odd", ...). The parsing functions throw Error(usage) with
+/// the list of names.
+std::string_view name(Scheme scheme);
+std::string_view name(Normals normals);
+std::string_view name(Partitioning partitioning);
+Scheme scheme_from_name(std::string_view name);
+Normals normals_from_name(std::string_view name);
+Partitioning partitioning_from_name(std::string_view name);
+
+}  // namespace tessera

@@ -1,0 +1,85 @@
+#include "tessellate/pattern.hpp"
+
+#include "base/error.hpp"
+#include "layout.h"
+#include "tessellate/launch_shape.hpp"
+#include "tessellate/patch_counter.hpp"
+
+#include <algorithm>
+
+namespace tessera {
+namespace {
+
+using gpu::BufferUsage;
+
+// At the largest patch of 3169 points and 6144 triangles, 1,024 patterns take 26 MB of points and 76 MB of indices.
+constexpr std::size_t patterns_per_run = 1024;
+
+void append_run(gpu::Device& device, Partitioning partitioning, bool clockwise, std::span<const PatchFactors> factors,
+                std::vector<Pattern>& patterns) {
+    const auto count = static_cast<std::uint32_t>(factors.size());
+    ParameterRing parameters(device, PatchCounter::parameter_slots + 1);
+    PatchCounter counter(device, count, true, parameters);
+    counter.upload_factors(device, factors);
+    gpu::CommandEncoder encoder = device.create_command_encoder();
+    gpu::ComputePass pass = encoder.begin_compute_pass();
+    counter.record_factors(pass, count, partitioning, !clockwise);
+    counter.record_counts(pass, count);
+    counter.record_scan(pass, count);
+    pass.end();
+    parameters.upload(device);
+    device.queue().submit(encoder.finish());
+    const std::vector<PatchOffset> offsets = counter.read_offsets(device, count);
+    const PatchOffset total = offsets.back();
+
+    std::vector<DomainPoint> points(total.vertex);
+    std::vector<std::uint32_t> indices(total.index);
+    if (total.vertex > 0) {
+        const auto usage = BufferUsage::storage | BufferUsage::copy_source;
+        const gpu::Buffer point_buffer = device.create_buffer({"domain points", std::uint64_t{total.vertex} * 8, usage});
+        const gpu::Buffer index_buffer = device.create_buffer({"indices", std::uint64_t{total.index} * 4, usage});
+        const Stage points_stage(device, "domain_points", {counter.records(), counter.offsets(), point_buffer}, parameters);
+        const Stage indices_stage(device, "indices", {counter.records(), counter.offsets(), index_buffer}, parameters);
+        const std::uint32_t lanes = lanes_log2(device.info(), count, total.vertex);
+        parameters.reset();
+        const std::uint32_t emit = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0});
+        parameters.upload(device);
+        encoder = device.create_command_encoder();
+        pass = encoder.begin_compute_pass();
+        points_stage.record(pass, emit, std::uint64_t{count} << lanes);
+        indices_stage.record(pass, emit, std::uint64_t{count} << lanes);
+        pass.end();
+        device.queue().submit(encoder.finish());
+        device.queue().read_buffer(point_buffer, 0, std::as_writable_bytes(std::span(points)));
+        device.queue().read_buffer(index_buffer, 0, std::as_writable_bytes(std::span(indices)));
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Pattern pattern;
+        pattern.points.assign(points.begin() + offsets[i].vertex, points.begin() + offsets[i + 1].vertex);
+        pattern.indices.assign(indices.begin() + offsets[i].index, indices.begin() + offsets[i + 1].index);
+        for (std::uint32_t& index : pattern.indices) {
+            index -= offsets[i].vertex;
+        }
+        patterns.push_back(std::move(pattern));
+    }
+}
+
+}  // namespace
+
+bool domain_supported(Domain domain) { return domain == Domain::triangle; }
+
+std::vector<Pattern> make_patterns(gpu::Device device, Domain domain, Partitioning partitioning, bool clockwise,
+                                   std::span<const PatchFactors> factors) {
+    if (!domain_supported(domain)) {
+        throw Error(ErrorKind::usage, "Only the triangle domain is supported; quads and isolines are not there yet.");
+    }
+    std::vector<Pattern> patterns;
+    patterns.reserve(factors.size());
+    for (std::size_t first = 0; first < factors.size(); first += patterns_per_run) {
+        append_run(device, partitioning, clockwise,
+                   factors.subspan(first, std::min(patterns_per_run, factors.size() - first)), patterns);
+    }
+    return patterns;
+}
+
+}  // namespace tessera

@@ -1,0 +1,51 @@
+// What tessellation gives: interleaved vertices and triangles.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tessera {
+
+/// An output vertex as the kernels lay it out: 32 bytes, interleaved.
+struct Vertex {
+    float position[3];
+    float normal[3];  ///< unit
+    float uv[2];
+};
+static_assert(sizeof(Vertex) == 32);
+
+/// A run of output made from one mesh of the scene.
+struct MeshPart {
+    std::string name;
+    std::uint32_t material = 0;
+    std::uint64_t first_vertex = 0, vertex_count = 0;
+    std::uint64_t first_index = 0, index_count = 0;
+};
+
+/// The size of a whole output, known before any of it is made. Parts lie one after another without gaps.
+struct MeshTotals {
+    std::uint64_t vertex_count = 0;
+    std::uint64_t index_count = 0;
+    std::vector<MeshPart> parts;
+};
+
+/// A piece of the output. Batches come in order; vertices and indices continue those of the batch before. Indices are
+/// global (they count vertices from the start of the output); every batch is closed: its triangles use its own
+/// vertices only.
+struct MeshBatch {
+    std::uint64_t first_vertex = 0;
+    std::uint64_t first_index = 0;
+    std::span<const Vertex> vertices;
+    std::span<const std::uint32_t> indices;
+};
+
+/// Receives batches; what writers and rasterisers implement.
+class MeshSink {
+public:
+    virtual ~MeshSink() = default;
+    virtual void append(const MeshBatch& batch) = 0;
+};
+
+}  // namespace tessera

@@ -1,0 +1,104 @@
+#include "tessellate/tessellate.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <fmt/format.h>
+
+namespace tessera {
+namespace {
+
+// Adds a chunk's output to the parts its patches belong to. Both lists are in patch order.
+void add_to_parts(MeshTotals& totals, const std::vector<patches::PatchRange>& ranges, const Chunk& chunk,
+                  const std::vector<PatchOffset>& offsets) {
+    const std::uint64_t chunk_end = chunk.first_patch + chunk.patch_count;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const std::uint64_t first = std::max(ranges[i].first_patch, chunk.first_patch);
+        const std::uint64_t end = std::min(ranges[i].first_patch + ranges[i].patch_count, chunk_end);
+        if (first < end) {
+            const PatchOffset& from = offsets[first - chunk.first_patch];
+            const PatchOffset& to = offsets[end - chunk.first_patch];
+            totals.parts[i].vertex_count += to.vertex - from.vertex;
+            totals.parts[i].index_count += to.index - from.index;
+        }
+    }
+}
+
+void place_parts(MeshTotals& totals) {
+    for (MeshPart& part : totals.parts) {
+        part.first_vertex = totals.vertex_count;
+        part.first_index = totals.index_count;
+        totals.vertex_count += part.vertex_count;
+        totals.index_count += part.index_count;
+    }
+}
+
+}  // namespace
+
+Tessellator::Tessellator(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options)
+    : device_(device), patches_(patches), job_(device, patches, options, device.limits()) {
+    for (const patches::PatchRange& range : patches.ranges) {
+        totals_.parts.push_back({range.name, range.material});
+    }
+    for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
+        add_to_parts(totals_, patches.ranges, job_.chunk(i), job_.count(i));
+        counted_chunk_ = i;
+    }
+    place_parts(totals_);
+}
+
+void Tessellator::run(MeshSink& sink, const std::function<void(double)>& progress) {
+    if (totals_.vertex_count > 0xffffffffull) {
+        throw Error(ErrorKind::usage, fmt::format("The output would have {} vertices, more than the 4294967295 that "
+                                                  "32-bit indices can address; use smaller factors.",
+                                                  totals_.vertex_count));
+    }
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::uint64_t first_vertex = 0;
+    std::uint64_t first_index = 0;
+    for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
+        if (counted_chunk_ != i) {
+            job_.count(i);
+            counted_chunk_ = i;
+        }
+        for (const Batch& batch : job_.prepare()) {
+            job_.emit(batch, static_cast<std::uint32_t>(first_vertex));
+            const std::vector<StageView> views = job_.emitted_views();
+            vertices.resize(batch.vertex_count);
+            indices.resize(batch.index_count);
+            device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
+            device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
+            for (Vertex& vertex : vertices) {
+                for (float& coordinate : vertex.position) {
+                    coordinate = patches::to_model_space(coordinate, patches_.exponent);
+                }
+            }
+            sink.append({first_vertex, first_index, vertices, indices});
+            first_vertex += batch.vertex_count;
+            first_index += batch.index_count;
+            if (progress) {
+                progress(static_cast<double>(first_vertex) / static_cast<double>(totals_.vertex_count));
+            }
+        }
+    }
+    assert(first_vertex == totals_.vertex_count && first_index == totals_.index_count);
+}
+
+void RefinedMesh::append(const MeshBatch& batch) {
+    vertices.insert(vertices.end(), batch.vertices.begin(), batch.vertices.end());
+    indices.insert(indices.end(), batch.indices.begin(), batch.indices.end());
+}
+
+RefinedMesh tessellate(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options) {
+    Tessellator tessellator(std::move(device), patches, options);
+    RefinedMesh mesh;
+    mesh.vertices.reserve(tessellator.totals().vertex_count);
+    mesh.indices.reserve(tessellator.totals().index_count);
+    mesh.parts = tessellator.totals().parts;
+    tessellator.run(mesh);
+    return mesh;
+}
+
+}  // namespace tessera
