@@ -34,6 +34,14 @@ void place_parts(MeshTotals& totals) {
     }
 }
 
+void scale_to_model(std::vector<Vertex>& vertices, int exponent) {
+    for (Vertex& vertex : vertices) {
+        for (float& coordinate : vertex.position) {
+            coordinate = patches::to_model_space(coordinate, exponent);
+        }
+    }
+}
+
 }  // namespace
 
 Tessellator::Tessellator(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options)
@@ -48,7 +56,7 @@ Tessellator::Tessellator(gpu::Device device, const patches::PatchSet& patches, c
     place_parts(totals_);
 }
 
-void Tessellator::run(MeshSink& sink, const std::function<void(double)>& progress) {
+void Tessellator::run(MeshSink& sink, Space space, const std::function<void(double)>& progress) {
     if (totals_.vertex_count > 0xffffffffull) {
         throw Error(ErrorKind::usage, fmt::format("The output would have {} vertices, more than the 4294967295 that "
                                                   "32-bit indices can address; use smaller factors.",
@@ -70,10 +78,8 @@ void Tessellator::run(MeshSink& sink, const std::function<void(double)>& progres
             indices.resize(batch.index_count);
             device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
             device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
-            for (Vertex& vertex : vertices) {
-                for (float& coordinate : vertex.position) {
-                    coordinate = patches::to_model_space(coordinate, patches_.exponent);
-                }
+            if (space == Space::model) {
+                scale_to_model(vertices, patches_.exponent);
             }
             sink.append({first_vertex, first_index, vertices, indices});
             first_vertex += batch.vertex_count;

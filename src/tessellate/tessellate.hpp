@@ -12,6 +12,10 @@
 
 namespace tessera {
 
+/// The units of output positions: the model's, or the scaled ones of the kernels (largest coordinate near 1), which suit
+/// renderers whatever the size of the model.
+enum class Space { model, kernel };
+
 /// Runs a job in two steps, so that a receiver learns the sizes before the first byte.
 class Tessellator {
 public:
@@ -21,9 +25,9 @@ public:
 
     /// Sizes of the whole output and of the part made from each mesh of the scene.
     const MeshTotals& totals() const { return totals_; }
-    /// Makes the output and hands it to `sink`, positions in the model's units. `progress` (may be empty) is called with
-    /// the fraction done. Throws Error(usage) where an index would need more than 32 bits.
-    void run(MeshSink& sink, const std::function<void(double)>& progress = {});
+    /// Makes the output and hands it to `sink`. `progress` (may be empty) is called with the fraction done. Throws
+    /// Error(usage) where an index would need more than 32 bits. Can be called again.
+    void run(MeshSink& sink, Space space = Space::model, const std::function<void(double)>& progress = {});
 
     const StageTimes& times() { return job_.times(); }
     std::uint64_t device_bytes() const { return job_.device_bytes(); }

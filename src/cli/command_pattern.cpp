@@ -1,0 +1,117 @@
+// tessera pattern: shows one domain pattern, or checks a file of golden ones.
+#include "backends/registry.hpp"
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/job_options.hpp"
+#include "cli/pattern_files.hpp"
+#include "export/output_file.hpp"
+#include "verify/golden.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+namespace tessera::cli {
+namespace {
+
+struct Words {
+    std::string factors, partitioning = "fractional_odd", winding = "cw", device = "reference", output, check;
+};
+
+int check(const Words& words) {
+    const std::vector<verify::GoldenCase> cases = verify::read_golden_file(words.check);
+    std::vector<std::string> ids{words.device};
+    if (words.device == "all") {
+        ids.clear();
+        for (const gpu::DeviceInfo& info : backends::list_devices().devices) {
+            ids.push_back(info.id);
+        }
+    }
+    std::size_t total = 0;
+    for (const std::string& id : ids) {
+        gpu::Device device = backends::open_device(id);
+        const std::vector<verify::GoldenMismatch> mismatches = verify::check_golden_cases(device, cases);
+        for (const verify::GoldenMismatch& mismatch : mismatches) {
+            fmt::print("{}: {}\n", id, verify::describe(mismatch));
+        }
+        fmt::print("{} ({}): {} of {} cases match\n", device.info().id, device.info().name,
+                   cases.size() - mismatches.size(), cases.size());
+        total += mismatches.size();
+    }
+    fmt::print("{} cases, {} mismatches\n", cases.size() * ids.size(), total);
+    return total == 0 ? exit_fine : exit_difference;
+}
+
+void draw(const Pattern& pattern, const Words& words) {
+    const auto rasteriser = backends::open_rasteriser();
+    render::Frame frame;
+    frame.width = 1024;
+    frame.height = 896;
+    frame.shading = render::Shading::wireframe;
+    const render::Bounds bounds{{0.0f, 0.0f, 0.0f}, {1.0f, 0.8660254f, 0.0f}};
+    frame.camera = render::frame_bounds(bounds, {0.0f, 0.0f, 0.3f, 1.0f}, 1024.0f / 896.0f);
+    rasteriser->begin(frame);
+    scene::Material paper;
+    paper.double_sided = true;
+    rasteriser->set_materials({paper}, {});
+    rasteriser->draw(pattern_vertices(pattern), pattern.indices, 0);
+    image::write_png(rasteriser->finish(), words.output);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+    exporting::OutputFile file(path);
+    file.write_at(0, std::as_bytes(std::span(text)));
+    file.publish();
+}
+
+int show(const Context& context, const Words& words) {
+    if (words.winding != "cw" && words.winding != "ccw") {
+        throw Error(ErrorKind::usage, fmt::format("There is no winding named \"{}\"; choose cw or ccw.", words.winding));
+    }
+    const std::vector<PatchFactors> factors{factors_from_words(words.factors)};
+    gpu::Device device = backends::open_device(words.device);
+    const Pattern pattern = make_patterns(device, Domain::triangle, partitioning_from_name(words.partitioning),
+                                          words.winding == "cw", factors)
+                                .front();
+    const std::string extension = std::filesystem::path(words.output).extension().string();
+    if (words.output.empty()) {
+        fmt::print("{}", pattern_csv(pattern));
+    } else if (extension == ".svg") {
+        write_file(words.output, pattern_svg(pattern));
+    } else if (extension == ".csv") {
+        write_file(words.output, pattern_csv(pattern));
+    } else if (extension == ".png") {
+        draw(pattern, words);
+    } else {
+        throw Error(ErrorKind::usage, fmt::format("{} has an unknown extension; a pattern is written as .svg, .png or .csv.",
+                                                  words.output));
+    }
+    say(context, fmt::format("{} points, {} triangles", pattern.points.size(), pattern.indices.size() / 3));
+    return exit_fine;
+}
+
+int run(const Context& context, const Words& words) {
+    if (words.factors.empty() == words.check.empty()) {
+        throw Error(ErrorKind::usage, "Give either --factors to show a pattern or --check to check a file of them.");
+    }
+    return words.check.empty() ? show(context, words) : check(words);
+}
+
+}  // namespace
+
+void add_pattern_command(CLI::App& app, Context& context) {
+    const auto words = std::make_shared<Words>();
+    CLI::App* command = app.add_subcommand("pattern", "Show one domain pattern, or check a file of golden ones");
+    command->footer("Examples: tessera pattern --factors 3,5.5,8,6 -o pattern.svg\n"
+                    "          tessera pattern --check tessellator.csv --device all");
+    command->add_option("--factors", words->factors, "F, or U,V,W,INSIDE: edges U=0, V=0, W=0 and inside");
+    command->add_option("--partitioning", words->partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
+        ->capture_default_str();
+    command->add_option("--winding", words->winding, "cw or ccw, the words of D3D")->capture_default_str();
+    command->add_option("--device", words->device, "Where to compute it; `all` with --check")->capture_default_str();
+    command->add_option("-o,--output", words->output, "The file to write: .svg, .png or .csv (default: CSV on stdout)");
+    command->add_option("--check", words->check, "Recompute every case of this golden file and compare");
+    command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,93 @@
+// tessera tessellate: a model in, a refined mesh out.
+#include "backends/registry.hpp"
+#include "cli/command.hpp"
+#include "cli/job_options.hpp"
+#include "cli/load.hpp"
+#include "cli/progress.hpp"
+#include "export/mesh_writer.hpp"
+#include "tessellate/tessellate.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace tessera::cli {
+namespace {
+
+struct Words {
+    std::string input, output, device = "reference";
+    JobWords job;
+    bool json = false;
+};
+
+void report(const Context& context, const Words& words, const gpu::DeviceInfo& device,
+            const patches::PatchSet& patches, Tessellator& tessellator, double seconds) {
+    const MeshTotals& totals = tessellator.totals();
+    const StageTimes& times = tessellator.times();
+    say(context, fmt::format("{}: {} patches -> {} vertices, {} triangles on {} ({})", words.output,
+                             patches.patch_count(), totals.vertex_count, totals.index_count / 3, device.id, device.name));
+    nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < stage_count; ++i) {
+        const auto stage = static_cast<StageId>(i);
+        const double milliseconds = times.seconds[i] * 1e3;
+        say(context, times.measured ? fmt::format("  {:<14}{:>10.3f} ms", name(stage), milliseconds)
+                                    : fmt::format("  {:<14}  not timed: the device has no timestamps", name(stage)));
+        stages[std::string(name(stage))] = times.measured ? nlohmann::ordered_json(milliseconds) : nullptr;
+    }
+    say(context, fmt::format("  {:<14}{:>10.3f} ms", "in all", seconds * 1e3));
+    if (words.json) {
+        const nlohmann::ordered_json document{{"input", words.input},
+                                              {"output", words.output},
+                                              {"device", device.id},
+                                              {"device_name", device.name},
+                                              {"scheme", words.job.scheme},
+                                              {"normals", words.job.normals},
+                                              {"partitioning", words.job.partitioning},
+                                              {"factor", words.job.factor},
+                                              {"control_vertices", patches.control_vertices.size()},
+                                              {"patches", patches.patch_count()},
+                                              {"vertices", totals.vertex_count},
+                                              {"triangles", totals.index_count / 3},
+                                              {"device_bytes", tessellator.device_bytes()},
+                                              {"stage_milliseconds", stages},
+                                              {"total_milliseconds", seconds * 1e3}};
+        fmt::print("{}\n", document.dump(2));
+    }
+}
+
+int run(const Context& context, const Words& words) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const scene::Scene scene = load(context, words.input);
+    const patches::PatchSet patches = patches::make_patches(scene);
+    const TessellationOptions options = resolve(words.job, patches);
+    gpu::Device device = backends::open_device(words.device);
+    Tessellator tessellator(device, patches, options);
+    const auto writer = exporting::create_mesh_writer(words.output, tessellator.totals(), scene);
+    {
+        Progress progress("tessellating", context.quiet);
+        tessellator.run(*writer, Space::model, progress.callback());
+    }
+    writer->finish();
+    report(context, words, device.info(), patches, tessellator,
+           std::chrono::duration<double>(Clock::now() - start).count());
+    return exit_fine;
+}
+
+}  // namespace
+
+void add_tessellate_command(CLI::App& app, Context& context) {
+    const auto words = std::make_shared<Words>();
+    CLI::App* command = app.add_subcommand("tessellate", "Refine a model and write it as .glb, .obj or .ply");
+    command->footer("Example: tessera tessellate fox.glb -o smooth.glb --scheme pn --factor 8 --device opencl");
+    command->add_option("input", words->input, "A .gltf or .glb file, or a built-in shape such as shape:torus")->required();
+    command->add_option("-o,--output", words->output, "The file to write: .glb, .obj or .ply")->required();
+    command->add_option("--device", words->device, "reference, vulkan[:index or name] or opencl[:index or name]")
+        ->capture_default_str();
+    command->add_flag("--json", words->json, "Print counts and times as JSON on stdout");
+    add_job_options(*command, words->job);
+    command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
+}
+
+}  // namespace tessera::cli

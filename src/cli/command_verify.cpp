@@ -1,0 +1,182 @@
+// tessera verify: the same job on every device, every stage's buffers compared bit by bit with the reference.
+#include "backends/registry.hpp"
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/job_options.hpp"
+#include "cli/load.hpp"
+#include "cli/progress.hpp"
+#include "verify/compare_jobs.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace tessera::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using verify::DeviceComparison;
+
+struct Words {
+    std::vector<std::string> inputs, devices, required;
+    JobWords job;
+    bool all = false;
+    bool json = false;
+};
+
+// The reference first, then what was asked for or everything found. A required backend that is missing fails.
+std::vector<gpu::Device> open_devices(const Context& context, const Words& words) {
+    std::vector<std::string> ids = words.devices;
+    if (ids.empty()) {
+        const backends::Inventory inventory = backends::list_devices();
+        for (const gpu::DeviceInfo& info : inventory.devices) {
+            ids.push_back(info.id);
+        }
+        for (const gpu::UnusableDevice& device : inventory.unusable) {
+            say(context, fmt::format("{} is left out: {}", device.id, device.reason));
+        }
+    }
+    std::vector<gpu::Device> devices{backends::open_device("reference")};
+    for (const std::string& id : ids) {
+        gpu::Device device = backends::open_device(id);
+        const bool known = std::ranges::any_of(devices, [&](const gpu::Device& d) { return d.info().id == device.info().id; });
+        if (!known) {
+            devices.push_back(std::move(device));
+        }
+    }
+    for (const std::string& backend : words.required) {
+        if (std::ranges::none_of(devices, [&](const gpu::Device& d) { return d.info().backend == backend; })) {
+            throw Error(ErrorKind::device_unavailable,
+                        fmt::format("The backend {} is required, but none of the devices compared has it; `tessera devices` "
+                                    "says why.", backend));
+        }
+    }
+    return devices;
+}
+
+// A column heading that fits: the id and the first word of the name.
+std::string heading(const gpu::DeviceInfo& info) {
+    return info.backend == "reference" ? info.id : fmt::format("{} {}", info.id, info.name.substr(0, info.name.find(' ')));
+}
+
+void print(const std::string& title, const std::vector<DeviceComparison>& results) {
+    fmt::print("{}\n  {:<14}{:>14}", title, "stage", "words");
+    std::vector<std::size_t> widths;
+    for (const DeviceComparison& result : results) {
+        const std::string head = heading(result.device);
+        widths.push_back(std::max<std::size_t>(head.size(), 10));
+        fmt::print("  {:>{}}", head, widths.back());
+    }
+    fmt::print("\n");
+    for (std::size_t s = 0; s < stage_count; ++s) {
+        fmt::print("  {:<14}{:>14}", name(static_cast<StageId>(s)), results.front().stages[s].words);
+        for (std::size_t d = 0; d < results.size(); ++d) {
+            const verify::StageComparison& stage = results[d].stages[s];
+            const bool compared = stage.words > 0 || s < static_cast<std::size_t>(StageId::vertices);
+            fmt::print("  {:>{}}", stage.differing == 0 ? (compared ? "same bits" : "-") : fmt::format("{} differ", stage.differing),
+                       widths[d]);
+        }
+        fmt::print("\n");
+    }
+    for (const DeviceComparison& result : results) {
+        for (std::size_t s = 0; s < stage_count; ++s) {
+            if (result.stages[s].first) {
+                fmt::print("  {}, {}: {}\n", heading(result.device), name(static_cast<StageId>(s)),
+                           verify::describe(*result.stages[s].first));
+            }
+        }
+    }
+}
+
+Json to_json(const std::string& input, const TessellationOptions& options, const std::string& factor,
+             const std::vector<DeviceComparison>& results) {
+    Json document{{"input", input},
+                  {"scheme", name(options.scheme)},
+                  {"normals", name(options.normals)},
+                  {"partitioning", name(options.partitioning)},
+                  {"factor", factor},
+                  {"devices", Json::array()}};
+    for (const DeviceComparison& result : results) {
+        Json stages = Json::object();
+        for (std::size_t s = 0; s < stage_count; ++s) {
+            const verify::StageComparison& stage = result.stages[s];
+            Json entry{{"words", stage.words}, {"differing", stage.differing}};
+            if (stage.first) {
+                entry["first"] = verify::describe(*stage.first);
+            }
+            stages[std::string(name(static_cast<StageId>(s)))] = entry;
+        }
+        document["devices"].push_back({{"id", result.device.id}, {"name", result.device.name}, {"stages", stages}});
+    }
+    return document;
+}
+
+// What to compare: the options given, or with --all every scheme, kind of normals and partitioning.
+std::vector<JobWords> variants(const Words& words) {
+    if (!words.all) {
+        return {words.job};
+    }
+    std::vector<JobWords> list;
+    for (const char* scheme : {"linear", "phong", "pn"}) {
+        for (const char* normals : {"linear", "quadratic"}) {
+            for (const char* partitioning : {"integer", "pow2", "fractional_odd", "fractional_even", "uniform"}) {
+                JobWords job = words.job;
+                job.scheme = scheme;
+                job.normals = normals;
+                job.partitioning = partitioning;
+                list.push_back(job);
+            }
+        }
+    }
+    return list;
+}
+
+int run(const Context& context, const Words& words) {
+    const std::vector<gpu::Device> devices = open_devices(context, words);
+    Json documents = Json::array();
+    std::size_t jobs = 0;
+    std::size_t different = 0;
+    for (const std::string& input : words.inputs) {
+        const scene::Scene scene = load(context, input);
+        const patches::PatchSet patches = patches::make_patches(scene);
+        for (const JobWords& job : variants(words)) {
+            const TessellationOptions options = resolve(job, patches);
+            Progress progress("comparing", context.quiet);
+            const auto results = verify::compare_jobs(devices, patches, options, progress.callback());
+            ++jobs;
+            different += std::ranges::all_of(results, &DeviceComparison::equal) ? 0 : 1;
+            if (words.json) {
+                documents.push_back(to_json(input, options, job.factor, results));
+            } else {
+                print(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(), job.scheme,
+                                  job.normals, job.partitioning, job.factor),
+                      results);
+            }
+        }
+    }
+    if (words.json) {
+        fmt::print("{}\n", documents.dump(2));
+    } else {
+        fmt::print("{} jobs on {} devices, {} with differences\n", jobs, devices.size(), different);
+    }
+    return different == 0 ? exit_fine : exit_difference;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, Context& context) {
+    const auto words = std::make_shared<Words>();
+    CLI::App* command = app.add_subcommand("verify", "Run the same job on every device and compare every buffer bit by bit");
+    command->footer("Example: tessera verify fox.glb --all --factor random:1..9 --require vulkan,opencl");
+    command->add_option("inputs", words->inputs, "Models or built-in shapes")->required();
+    command->add_option("--device", words->devices, "A device to hold against the reference; repeat for more (default: all)");
+    command->add_option("--require", words->required, "Backends that must be among the devices, separated by commas")
+        ->delimiter(',');
+    command->add_flag("--all", words->all, "Every scheme, kind of normals and partitioning, one after another");
+    command->add_flag("--json", words->json, "Print JSON on stdout");
+    add_job_options(*command, words->job);
+    command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,97 @@
+#include "cli/job_options.hpp"
+
+#include "base/error.hpp"
+#include "tessellate/edge_factors.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <optional>
+
+namespace tessera::cli {
+namespace {
+
+std::optional<float> parse_float(const std::string& text) {
+    char* end = nullptr;
+    const float value = std::strtof(text.c_str(), &end);
+    if (text.empty() || *end != '\0') {
+        return std::nullopt;
+    }
+    return value;
+}
+
+Error bad_factor(const std::string& words) {
+    return {ErrorKind::usage, fmt::format("The factor \"{}\" is not understood; write one number, four numbers (edge U=0, "
+                                          "edge V=0, edge W=0, inside) separated by commas, or "
+                                          "random:LEAST..GREATEST[:SEED].", words)};
+}
+
+// "random:1..8" or "random:1..8:42"
+std::vector<PatchFactors> random_factors(const std::string& words, const patches::PatchSet& patches) {
+    const std::string range = words.substr(std::string("random:").size());
+    const std::size_t dots = range.find("..");
+    if (dots == std::string::npos) {
+        throw bad_factor(words);
+    }
+    const std::size_t colon = range.find(':', dots);
+    const auto least = parse_float(range.substr(0, dots));
+    const auto greatest = parse_float(range.substr(dots + 2, colon == std::string::npos ? colon : colon - dots - 2));
+    const std::string seed = colon == std::string::npos ? "1" : range.substr(colon + 1);
+    if (!least || !greatest || !std::isfinite(*least) || !std::isfinite(*greatest) || *least > *greatest ||
+        seed.empty() || seed.find_first_not_of("0123456789") != std::string::npos || seed.size() > 18) {
+        throw bad_factor(words);
+    }
+    return random_edge_factors(patches, *least, *greatest, std::stoull(seed));
+}
+
+}  // namespace
+
+PatchFactors factors_from_words(const std::string& words) {
+    std::vector<float> numbers;
+    std::size_t at = 0;
+    while (at <= words.size()) {
+        const std::size_t comma = std::min(words.find(',', at), words.size());
+        const auto number = parse_float(words.substr(at, comma - at));
+        if (!number || numbers.size() == 4) {
+            throw bad_factor(words);
+        }
+        numbers.push_back(*number);
+        at = comma + 1;
+    }
+    if (numbers.size() == 1) {
+        return {numbers[0], numbers[0], numbers[0], numbers[0], numbers[0], numbers[0]};
+    }
+    if (numbers.size() != 4) {
+        throw bad_factor(words);
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3], 0, 0};
+}
+
+void add_job_options(CLI::App& command, JobWords& words) {
+    command.add_option("--scheme", words.scheme, "Surface: linear, phong or pn")->capture_default_str();
+    command.add_option("--normals", words.normals, "How normals vary: linear or quadratic")->capture_default_str();
+    command.add_option("--factor", words.factor, "Tessellation factor: F, or U,V,W,INSIDE, or random:LEAST..GREATEST[:SEED]")
+        ->capture_default_str();
+    command.add_option("--partitioning", words.partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
+        ->capture_default_str();
+    command.add_option("--alpha", words.alpha, "Shape factor of phong, 0 flat to 1 full")->capture_default_str();
+    command.add_option("--memory-budget", words.memory_budget, "Device memory for the job, such as 64M or 2G (default 512M)")
+        ->transform(CLI::AsSizeValue(false));
+}
+
+TessellationOptions resolve(const JobWords& words, const patches::PatchSet& patches) {
+    TessellationOptions options;
+    options.scheme = scheme_from_name(words.scheme);
+    options.normals = normals_from_name(words.normals);
+    options.partitioning = partitioning_from_name(words.partitioning);
+    options.alpha = words.alpha;
+    options.memory_budget = words.memory_budget;
+    if (words.factor.starts_with("random:")) {
+        options.factors = random_factors(words.factor, patches);
+    } else {
+        options.factors = factors_from_words(words.factor);
+    }
+    return options;
+}
+
+}  // namespace tessera::cli
