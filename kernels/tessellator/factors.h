@@ -91,7 +91,7 @@ FUNCTION PatchRecord make_patch_record(uint raw[6], uint partitioning, uint doma
         record.flags = record.flags | RECORD_CULLED;
         return record;
     }
-    if (partitioning == PARTITIONING_UNIFORM) {
+    if (partitioning == PARTITIONING_UNIFORM && domain != DOMAIN_ISOLINE) {
         // One level for the whole patch: the largest factor, so that no edge gets less than it asked for.
         uint level = FIXED_ONE;
         for (uint i = 0u; i < total; ++i) {

@@ -9,22 +9,9 @@
 #ifndef TESSERA_TESSELLATOR_TRIANGLE_H
 #define TESSERA_TESSELLATOR_TRIANGLE_H
 
-#include "tessellator/edge.h"
+#include "tessellator/row.h"
 
 KERNELS_BEGIN
-
-/// A place in the domain, 16.16. For triangles w = 65536 - u - v.
-STRUCT(DomainPoint) {
-    uint u;
-    uint v;
-};
-
-FUNCTION DomainPoint make_domain_point(uint u, uint v) {
-    DomainPoint point;
-    point.u = u;
-    point.v = v;
-    return point;
-}
 
 /// What the record of a triangle patch says, unpacked once per patch.
 STRUCT(TrianglePatch) {
@@ -39,8 +26,8 @@ STRUCT(TrianglePatch) {
 };
 
 /// Reads a patch record from a buffer.
-#define LOAD_TRIANGLE_PATCH(records, patch_index)                                                   \
-    make_triangle_patch(records[(patch_index) * RECORD_WORDS], records[(patch_index) * RECORD_WORDS + 1u],     \
+#define LOAD_TRIANGLE_PATCH(records, patch_index)                                                               \
+    make_triangle_patch(records[(patch_index) * RECORD_WORDS], records[(patch_index) * RECORD_WORDS + 1u],      \
                         records[(patch_index) * RECORD_WORDS + 2u], records[(patch_index) * RECORD_WORDS + 3u], \
                         records[(patch_index) * RECORD_WORDS + 4u])
 
@@ -107,23 +94,9 @@ FUNCTION DomainPoint uniform_point(uint level, uint i) {
         y = candidate <= level && uniform_row_start(candidate, level) <= i ? candidate : y;
     }
     const uint x = i - uniform_row_start(y, level);
-    // Each coordinate is rounded from the corner it is nearer to in index, so that reversed edges give 65536 - c.
-    const uint z = level - x - y;
-    const uint half_level = level >> 1u;
-    const uint u = (x * 65536u + half_level) / level;
-    const uint v = (y * 65536u + half_level) / level;
-    const uint w = (z * 65536u + half_level) / level;
-    // u + v + w may miss 65536 by one; on an edge the missing unit goes to the greater of its two coordinates.
-    if (y == 0u) {
-        return make_domain_point(x > z ? 65536u - w : u, 0u);
-    }
-    if (x == 0u) {
-        return make_domain_point(0u, y > z ? 65536u - w : v);
-    }
-    if (z == 0u) {
-        return x > y ? make_domain_point(65536u - v, v) : make_domain_point(u, 65536u - u);
-    }
-    return make_domain_point(u, v);
+    // On the edge w = 0 v must be what is left of u, for the two come from one symmetric coordinate.
+    const uint u = even_coordinate(x, level);
+    return make_domain_point(u, x + y == level ? 65536u - u : even_coordinate(y, level));
 }
 
 FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
@@ -163,12 +136,6 @@ FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
                              side == 0u ? along : (side == 1u ? perpendicular : 65536u - along - perpendicular));
 }
 
-/// A corner of a row triangle -> point index. Side `side` of a ring of rows with the given starts and lengths.
-FUNCTION uint ring_corner(uint start, uint offset, uint total, uint at) {
-    const uint sum = offset + at;
-    return start + (sum >= total ? sum - total : sum);
-}
-
 /// Triangle t of the even grid.
 FUNCTION Triangle uniform_triangle(uint level, uint t) {
     // Row y has 2 (level - y) - 1 triangles and begins after y (2 level - y) of them.
@@ -206,15 +173,9 @@ FUNCTION Triangle triangle_triangle(TrianglePatch p, uint t) {
         const Triangle row = transition_triangle(s, edge.half_points - edge.odd, edge.odd,
                                                  p.inside.half_points - p.inside.odd, p.inside.odd);
         const uint outer_offset = side == 0u ? 0u : (side == 1u ? start1 : start2);
-        const uint inner_total = inner_segments == 0u ? 1u : 3u * inner_segments;
         const uint inner_offset = side * inner_segments;
-        return make_triangle(
-            row.a < ON_INSIDE ? ring_corner(0u, outer_offset, p.outer_points, row.a)
-                              : ring_corner(p.outer_points, inner_offset, inner_total, row.a - ON_INSIDE),
-            row.b < ON_INSIDE ? ring_corner(0u, outer_offset, p.outer_points, row.b)
-                              : ring_corner(p.outer_points, inner_offset, inner_total, row.b - ON_INSIDE),
-            row.c < ON_INSIDE ? ring_corner(0u, outer_offset, p.outer_points, row.c)
-                              : ring_corner(p.outer_points, inner_offset, inner_total, row.c - ON_INSIDE));
+        return place_row(row, make_ring(0u, p.outer_points), outer_offset,
+                         make_ring(p.outer_points, 3u * inner_segments), inner_offset);
     }
     const uint inner = t - first_row;
     // Row j >= 2 lies between rings j - 1 and j and begins after 6 ((j - 2) N - (j - 1) j + 2) inner triangles.
@@ -239,16 +200,10 @@ FUNCTION Triangle triangle_triangle(TrianglePatch p, uint t) {
     const Triangle row = ring_triangle(s - side * 2u * points, points);
     const uint inner_segments_here = points - 1u;
     const uint inner_start = outer_start + 3u * outer_segments;
-    const uint inner_total = inner_segments_here == 0u ? 1u : 3u * inner_segments_here;
     const uint outer_offset = side * outer_segments;
     const uint inner_offset = side * inner_segments_here;
-    return make_triangle(
-        row.a < ON_INSIDE ? ring_corner(outer_start, outer_offset, 3u * outer_segments, row.a)
-                          : ring_corner(inner_start, inner_offset, inner_total, row.a - ON_INSIDE),
-        row.b < ON_INSIDE ? ring_corner(outer_start, outer_offset, 3u * outer_segments, row.b)
-                          : ring_corner(inner_start, inner_offset, inner_total, row.b - ON_INSIDE),
-        row.c < ON_INSIDE ? ring_corner(outer_start, outer_offset, 3u * outer_segments, row.c)
-                          : ring_corner(inner_start, inner_offset, inner_total, row.c - ON_INSIDE));
+    return place_row(row, make_ring(outer_start, 3u * outer_segments), outer_offset,
+                     make_ring(inner_start, 3u * inner_segments_here), inner_offset);
 }
 
 KERNELS_END

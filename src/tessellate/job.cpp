@@ -113,7 +113,7 @@ struct Job::State {
         if (index_bytes > (indices ? indices.size() : 0)) {
             if (indices) indices.destroy();
             indices = storage("indices", index_bytes);
-            indices_stage = Stage(device, "indices", {counter.records(), counter.offsets(), indices}, parameters);
+            indices_stage = Stage(device, "indices_triangle", {counter.records(), counter.offsets(), indices}, parameters);
         }
     }
 };
@@ -152,7 +152,7 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
         s.clock.mark(encoder, stage);
     };
     record(StageId::factors,
-           [&](gpu::ComputePass& p) { s.counter.record_factors(p, chunk.patch_count, s.options.partitioning, false); });
+           [&](gpu::ComputePass& p) { s.counter.record_factors(p, chunk.patch_count, Domain::triangle, s.options.partitioning, false); });
     record(StageId::counts, [&](gpu::ComputePass& p) { s.counter.record_counts(p, chunk.patch_count); });
     record(StageId::scan, [&](gpu::ComputePass& p) { s.counter.record_scan(p, chunk.patch_count); });
     s.clock.finish(encoder);

@@ -9,6 +9,7 @@
 namespace tessera {
 namespace {
 
+constexpr std::array<std::string_view, 3> domain_names{"triangle", "quad", "isoline"};
 constexpr std::array<std::string_view, 3> scheme_names{"linear", "phong", "pn"};
 constexpr std::array<std::string_view, 2> normals_names{"linear", "quadratic"};
 constexpr std::array<std::string_view, 5> partitioning_names{"integer", "pow2", "fractional_odd", "fractional_even",
@@ -26,12 +27,16 @@ std::size_t index_of(std::span<const std::string_view> names, std::string_view n
 
 }  // namespace
 
+std::string_view name(Domain domain) { return domain_names.at(static_cast<std::size_t>(domain)); }
 std::string_view name(Scheme scheme) { return scheme_names.at(static_cast<std::size_t>(scheme)); }
 std::string_view name(Normals normals) { return normals_names.at(static_cast<std::size_t>(normals)); }
 std::string_view name(Partitioning partitioning) {
     return partitioning_names.at(static_cast<std::size_t>(partitioning));
 }
 
+Domain domain_from_name(std::string_view name) {
+    return static_cast<Domain>(index_of(domain_names, name, "domain"));
+}
 Scheme scheme_from_name(std::string_view name) {
     return static_cast<Scheme>(index_of(scheme_names, name, "scheme"));
 }

@@ -10,6 +10,9 @@
 
 namespace tessera {
 
+/// The shape of a patch's domain. The values are those of the kernels (kernels/layout.h).
+enum class Domain : std::uint32_t { triangle = 0, quad = 1, isoline = 2 };
+
 /// How a patch is curved.
 enum class Scheme {
     linear,  ///< flat
@@ -32,7 +35,8 @@ enum class Partitioning : std::uint32_t {
     uniform = 4,  ///< the even grid of Vlachos et al. 2001; one level per patch, the largest of its factors
 };
 
-/// Factors in the order edge U=0, V=0, W=0, inside (triangles), padded to six.
+/// Factors in the order of the specification, padded to six: triangles edge U=0, V=0, W=0, inside; quads edge U=0, V=0,
+/// U=1, V=1, inside U, inside V; isolines density (lines), detail (segments).
 using PatchFactors = std::array<float, 6>;
 
 struct TessellationOptions {
@@ -49,9 +53,11 @@ struct TessellationOptions {
 
 /// Names as the command line has them ("pn", "fractional_odd", ...). The parsing functions throw Error(usage) with
 /// the list of names.
+std::string_view name(Domain domain);
 std::string_view name(Scheme scheme);
 std::string_view name(Normals normals);
 std::string_view name(Partitioning partitioning);
+Domain domain_from_name(std::string_view name);
 Scheme scheme_from_name(std::string_view name);
 Normals normals_from_name(std::string_view name);
 Partitioning partitioning_from_name(std::string_view name);

@@ -49,10 +49,10 @@ void PatchCounter::upload_factors(gpu::Device& device, std::span<const PatchFact
     device.queue().write_buffer(factors_, 0, std::as_bytes(factors));
 }
 
-void PatchCounter::record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Partitioning partitioning,
-                                  bool flip) {
-    const kernels::FactorsParams params{patch_count, static_cast<std::uint32_t>(partitioning), DOMAIN_TRIANGLE,
-                                        flip ? 1u : 0u, factors_per_patch_ ? 1u : 0u};
+void PatchCounter::record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Domain domain,
+                                  Partitioning partitioning, bool flip) {
+    const kernels::FactorsParams params{patch_count, static_cast<std::uint32_t>(partitioning),
+                                        static_cast<std::uint32_t>(domain), flip ? 1u : 0u, factors_per_patch_ ? 1u : 0u};
     factors_stage_.record(pass, parameters_.push(params), patch_count);
 }
 

@@ -15,7 +15,8 @@ public:
     /// Uploads factors: one set, or one per patch of the chunk, as `factors_per_patch` said.
     void upload_factors(gpu::Device& device, std::span<const PatchFactors> factors);
     /// Records stage 1, factors -> records.
-    void record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Partitioning partitioning, bool flip);
+    void record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Domain domain, Partitioning partitioning,
+                        bool flip);
     /// Records stage 3, counts.
     void record_counts(gpu::ComputePass& pass, std::uint32_t patch_count);
     /// Records stage 4, the exclusive scan.

@@ -80,7 +80,7 @@ private:
 };
 
 GoldenMismatch recompute(const GoldenCase& expected, const Pattern& pattern) {
-    GoldenMismatch result{expected, false, pattern.points.size(), pattern.indices.size(), 0, 0};
+    GoldenMismatch result{expected, pattern.points.size(), pattern.indices.size(), 0, 0};
     std::vector<std::uint32_t> words;
     words.reserve(pattern.points.size() * 2);
     for (const DomainPoint& point : pattern.points) {
@@ -137,12 +137,6 @@ std::vector<GoldenMismatch> check_golden_cases(gpu::Device device, const std::ve
     std::vector<GoldenMismatch> mismatches;
     for (const auto& [key, group] : groups) {
         const auto [domain, partitioning, clockwise] = key;
-        if (!domain_supported(domain)) {
-            for (const GoldenCase* one : group) {
-                mismatches.push_back({*one, true, 0, 0, 0, 0});
-            }
-            continue;
-        }
         std::vector<PatchFactors> factors;
         for (const GoldenCase* one : group) {
             factors.push_back(one->factors);
@@ -159,9 +153,6 @@ std::vector<GoldenMismatch> check_golden_cases(gpu::Device device, const std::ve
 }
 
 std::string describe(const GoldenMismatch& m) {
-    if (m.unsupported) {
-        return fmt::format("line {}: unsupported domain", m.expected.line);
-    }
     return fmt::format(
         "line {}: {} points (expected {}), {} indices ({}), point hash {:016x} ({:016x}), index hash {:016x} ({:016x})",
         m.expected.line, m.point_count, m.expected.point_count, m.index_count, m.expected.index_count, m.point_hash,

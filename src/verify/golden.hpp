@@ -29,7 +29,6 @@ std::vector<GoldenCase> read_golden_file(const std::filesystem::path& path);
 /// What a device made of a case that does not match.
 struct GoldenMismatch {
     GoldenCase expected;
-    bool unsupported = false;  ///< the domain is not there
     std::uint64_t point_count = 0, index_count = 0;
     std::uint64_t point_hash = 0, index_hash = 0;
 };

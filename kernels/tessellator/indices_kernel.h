@@ -1,9 +1,9 @@
-// Stage 6: records and offsets -> triangles, three indices each.
-#include "tessellator/triangle.h"
-
+// Stage 6, the kernel of every domain that makes triangles. An including file names the kernel by INDICES_KERNEL and its
+// domain by PATCH_TYPE, LOAD_PATCH, TRIANGLE_COUNT and TRIANGLE_AT.
+// No include guard: every variant includes it once.
 KERNELS_BEGIN
 
-KERNEL4(indices, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, index_buffer),
+KERNEL4(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, index_buffer),
         UNIFORM(3, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const uint item = ITEM;
@@ -12,13 +12,13 @@ KERNEL4(indices, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, 
     }
     const uint patch_index = p.first_patch + (item >> p.lanes_log2);
     const uint lanes = 1u << p.lanes_log2;
-    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, patch_index);
+    const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
     const bool flip = (t.flags & RECORD_FLIP) != 0u;
     const uint base = p.vertex_base + (offsets[patch_index * COUNT_WORDS] - p.first_vertex);
     const uint start = offsets[patch_index * COUNT_WORDS + 1u] - p.first_index;
-    const uint count = triangle_triangle_count(t);
+    const uint count = TRIANGLE_COUNT(t);
     for (uint i = item & (lanes - 1u); i < count; i = i + lanes) {
-        const Triangle corners = triangle_triangle(t, i);
+        const Triangle corners = TRIANGLE_AT(t, i);
         const uint at = start + 3u * i;
         index_buffer[at] = base + corners.a;
         index_buffer[at + 1u] = base + (flip ? corners.c : corners.b);
@@ -27,3 +27,9 @@ KERNEL4(indices, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, 
 }
 
 KERNELS_END
+
+#undef INDICES_KERNEL
+#undef PATCH_TYPE
+#undef LOAD_PATCH
+#undef TRIANGLE_COUNT
+#undef TRIANGLE_AT

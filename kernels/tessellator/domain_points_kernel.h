@@ -1,9 +1,9 @@
-// The domain points themselves, u and v in 16.16 per vertex: what `tessera pattern` shows and checks.
-#include "tessellator/triangle.h"
-
+// Domain points by themselves, the kernel of every domain. An including file names the kernel by POINTS_KERNEL and its
+// domain by PATCH_TYPE, LOAD_PATCH, POINT_COUNT and POINT_AT.
+// No include guard: every variant includes it once.
 KERNELS_BEGIN
 
-KERNEL4(domain_points, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, points),
+KERNEL4(POINTS_KERNEL, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, points),
         UNIFORM(3, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const uint item = ITEM;
@@ -12,14 +12,20 @@ KERNEL4(domain_points, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, 
     }
     const uint patch_index = p.first_patch + (item >> p.lanes_log2);
     const uint lanes = 1u << p.lanes_log2;
-    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, patch_index);
+    const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
     const uint start = offsets[patch_index * COUNT_WORDS] - p.first_vertex;
-    const uint count = triangle_point_count(t);
+    const uint count = POINT_COUNT(t);
     for (uint i = item & (lanes - 1u); i < count; i = i + lanes) {
-        const DomainPoint point = triangle_point(t, i);
+        const DomainPoint point = POINT_AT(t, i);
         points[2u * (start + i)] = point.u;
         points[2u * (start + i) + 1u] = point.v;
     }
 }
 
 KERNELS_END
+
+#undef POINTS_KERNEL
+#undef PATCH_TYPE
+#undef LOAD_PATCH
+#undef POINT_COUNT
+#undef POINT_AT

@@ -1,0 +1,23 @@
+// The only place that names backends.
+#pragma once
+
+#include "backends/inventory.hpp"
+#include "gpu/device.hpp"
+#include "render/rasteriser.hpp"
+
+namespace tessera::backends {
+
+/// What this machine has: reference first, then vulkan, then opencl. Never fails: what is missing is listed with its
+/// reason.
+Inventory list_devices();
+
+/// Opens a device by what `--device` takes: "reference", "vulkan", "opencl", "vulkan:1", "vulkan:swiftshader" (part
+/// of a name, case ignored), "opencl:0". Throws Error(usage) for words that name no backend, and
+/// Error(device_unavailable) with what was found instead.
+gpu::Device open_device(const std::string& id);
+
+/// Opens a rasteriser: on the named device where it can draw, else (also for "") on the first device that can.
+/// Throws Error(device_unavailable) where none can, with what was found.
+std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id = "");
+
+}  // namespace tessera::backends

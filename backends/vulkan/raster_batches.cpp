@@ -1,0 +1,35 @@
+#include "backends/vulkan/raster_batches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace tessera::backends::vulkan {
+
+TriangleBatch take_batch(std::span<const std::uint32_t> indices, std::uint64_t vertex_count) {
+    TriangleBatch batch;
+    batch.indices = indices.first(std::min(indices.size(), TriangleBatch::max_triangles * 3));
+    const auto [smallest, largest] = std::minmax_element(batch.indices.begin(), batch.indices.end());
+    if (*largest >= vertex_count) {
+        throw Error(ErrorKind::usage, fmt::format("A draw has index {}, but only {} vertices: indices count from the "
+                                                  "first vertex of the draw.",
+                                                  *largest, vertex_count));
+    }
+    batch.first_vertex = *smallest;
+    batch.vertex_count = std::uint64_t{*largest} - *smallest + 1;
+    return batch;
+}
+
+void write_local_indices(const TriangleBatch& batch, std::uint32_t* destination) {
+    std::transform(batch.indices.begin(), batch.indices.end(), destination,
+                   [&](std::uint32_t index) { return index - batch.first_vertex; });
+}
+
+void write_corners(const TriangleBatch& batch, std::span<const Vertex> vertices, Vertex* destination) {
+    std::transform(batch.indices.begin(), batch.indices.end(), destination,
+                   [&](std::uint32_t index) { return vertices[index]; });
+}
+
+}  // namespace tessera::backends::vulkan

@@ -1,0 +1,151 @@
+// A row of triangles between two neighbouring rings of points: which corners each triangle has, and in which order.
+// Source: D3D11.3 functional specification, 11.7.
+#ifndef TESSERA_TESSELLATOR_ROW_H
+#define TESSERA_TESSELLATOR_ROW_H
+
+#include "tessellator/edge.h"
+
+KERNELS_BEGIN
+
+/// Three corners of a triangle in a row between an outer edge and the inside row. A corner is a position along the outer
+/// edge, or along the inside row with ON_INSIDE added.
+#define ON_INSIDE 256u
+
+STRUCT(Triangle) {
+    uint a;
+    uint b;
+    uint c;
+};
+
+FUNCTION Triangle make_triangle(uint a, uint b, uint c) {
+    Triangle t;
+    t.a = a;
+    t.b = b;
+    t.c = c;
+    return t;
+}
+
+// The order of a transition row. Each half of an edge is walked in 31 steps; step m belongs to the node of a balanced
+// binary tree of 31 nodes (numbered as a heap from 1) that comes m-th in order, and emits where the half has more
+// nodes than that number. (The specification's table of final point positions is this tree, with 32 put in front.)
+
+/// Heap number of step m in 1..31.
+FUNCTION uint transition_node(uint m) {
+    const uint lowest = m & (0u - m);
+    return lowest == 16u ? 1u
+         : (lowest == 8u ? 2u | (m >> 4u)
+         : (lowest == 4u ? 4u | (m >> 3u)
+         : (lowest == 2u ? 8u | (m >> 2u) : 16u | (m >> 1u))));
+}
+
+/// How many of the steps 1..m belong to nodes below `count` (1..32); 0 for count 0.
+FUNCTION uint transition_rank(uint count, uint m) {
+    const uint level = highest_bit(count);
+    const uint complete = m >> (5u - level);                        // nodes of the levels that are full
+    const uint partial = (((2u * m) >> (5u - level)) + 1u) >> 1u;   // nodes of the next level, if it were full
+    const uint there = count - (1u << level);
+    return count == 0u ? 0u : complete + (partial < there ? partial : there);
+}
+
+/// Triangle s of the row between an outer edge of `outer_segments` (>= 1) and an inside row of `inner_segments` (>= 0),
+/// in all outer_segments + inner_segments triangles. The halves are those of the two factors: half_points - odd.
+FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, uint inner_half, uint inner_odd) {
+    const uint outer_segments = 2u * outer_half + outer_odd;
+    const uint inner_steps = inner_half == 0u ? 0u : inner_half - 1u;
+    const uint inner_segments = 2u * inner_steps + inner_odd;
+    const uint first_half = outer_half + inner_steps;
+    const uint middle = outer_odd + inner_odd;
+    if (s >= first_half && s < first_half + middle) {
+        const uint o = outer_half;
+        const uint i = ON_INSIDE + inner_steps;
+        if (inner_odd == 0u) {
+            return make_triangle(i, o, o + 1u);
+        }
+        return s == first_half ? make_triangle(i, o, i + 1u) : make_triangle(i + 1u, o, o + 1u);
+    }
+    // The second half is the first one read backwards.
+    const bool backwards = s >= first_half;
+    const uint t = backwards ? outer_segments + inner_segments - 1u - s : s;
+    const uint lead = outer_half > 0u ? 1u : 0u;  // a half that has points begins with one outer triangle
+    // The last step m whose first triangle is not after t; m = 0 is the leading outer triangle.
+    uint m = 0u;
+    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
+        const uint candidate = m + bit;
+        const uint before = lead + transition_rank(inner_half, candidate - 1u)
+                          + transition_rank(outer_half, candidate - 1u);
+        m = before <= t ? candidate : m;
+    }
+    const uint steps = m == 0u ? 0u : m - 1u;
+    const uint inner_before = transition_rank(inner_half, steps);
+    const uint outer_before = m == 0u ? 0u : lead + transition_rank(outer_half, steps);
+    const bool has_inner = m != 0u && transition_node(m) < inner_half;
+    const bool is_inner = has_inner && t == inner_before + outer_before;
+    const uint o = outer_before;
+    const uint i = inner_before + (has_inner && !is_inner ? 1u : 0u);
+    if (is_inner) {
+        const uint outer_at = backwards ? outer_segments - o : o;
+        const uint inner_at = ON_INSIDE + (backwards ? inner_segments - i - 1u : i);
+        return make_triangle(inner_at, outer_at, inner_at + 1u);
+    }
+    const uint outer_at = backwards ? outer_segments - o - 1u : o;
+    const uint inner_at = ON_INSIDE + (backwards ? inner_segments - i : i);
+    return make_triangle(outer_at, outer_at + 1u, inner_at);
+}
+
+/// Triangle s of the regular row between a ring's row of points + 1 segments and the next one of `points` points (both
+/// corners included); in all 2 * points triangles.
+FUNCTION Triangle ring_triangle(uint s, uint points) {
+    if (s == 0u || s == 2u * points - 1u) {
+        const uint o = s == 0u ? 0u : points;
+        const uint i = ON_INSIDE + (s == 0u ? 0u : points - 1u);
+        return make_triangle(o, o + 1u, i);
+    }
+    const uint p = (s - 1u) >> 1u;
+    const bool second = ((s - 1u) & 1u) == 1u;
+    const uint o = 1u + p;
+    const uint i = ON_INSIDE + p;
+    if (p < (points >> 1u)) {
+        return second ? make_triangle(o, o + 1u, i + 1u) : make_triangle(o, i + 1u, i);
+    }
+    return second ? make_triangle(i, o + 1u, i + 1u) : make_triangle(i, o, o + 1u);
+}
+
+/// A closed ring of points: `points` of them (0 stands for a single one) from index `start` on. A folded ring is a row
+/// of points/2 + 1 that is walked forth and back.
+STRUCT(Ring) {
+    uint start;
+    uint points;
+    uint folded;
+};
+
+FUNCTION Ring make_ring(uint start, uint points) {
+    Ring ring;
+    ring.start = start;
+    ring.points = points;
+    ring.folded = 0u;
+    return ring;
+}
+
+/// Point index of the position `offset + at` on a ring; positions wrap around once.
+FUNCTION uint ring_point(Ring ring, uint offset, uint at) {
+    const uint sum = offset + at;
+    const uint wrapped = sum >= ring.points && ring.points > 0u ? sum - ring.points : sum;
+    const uint unfolded = ring.points == 0u ? 0u : wrapped;
+    return ring.start + (ring.folded != 0u && 2u * unfolded > ring.points ? ring.points - unfolded : unfolded);
+}
+
+FUNCTION uint place_corner(uint corner, Ring outer, uint outer_offset, Ring inner, uint inner_offset) {
+    return corner < ON_INSIDE ? ring_point(outer, outer_offset, corner)
+                              : ring_point(inner, inner_offset, corner - ON_INSIDE);
+}
+
+/// A triangle of a row -> point indices. The side's row begins at the given offsets of the two rings.
+FUNCTION Triangle place_row(Triangle row, Ring outer, uint outer_offset, Ring inner, uint inner_offset) {
+    return make_triangle(place_corner(row.a, outer, outer_offset, inner, inner_offset),
+                         place_corner(row.b, outer, outer_offset, inner, inner_offset),
+                         place_corner(row.c, outer, outer_offset, inner, inner_offset));
+}
+
+KERNELS_END
+
+#endif

@@ -1,0 +1,32 @@
+// Receivers of tessellation output on its way to a picture.
+#pragma once
+
+#include "render/rasteriser.hpp"
+
+namespace tessera::render {
+
+/// Grows a box around everything it receives.
+class BoundsSink : public MeshSink {
+public:
+    void append(const MeshBatch& batch) override;
+    const Bounds& bounds() const { return bounds_; }
+
+private:
+    Bounds bounds_;
+};
+
+/// Draws what it receives, each part with its material.
+class DrawSink : public MeshSink {
+public:
+    /// `rasteriser` has begun a frame; `parts` are those of the totals. Both must outlive the sink.
+    DrawSink(Rasteriser& rasteriser, const std::vector<MeshPart>& parts) : rasteriser_(rasteriser), parts_(parts) {}
+
+    void append(const MeshBatch& batch) override;
+
+private:
+    Rasteriser& rasteriser_;
+    const std::vector<MeshPart>& parts_;
+    std::vector<std::uint32_t> local_;  // indices of one part of a batch, from its first vertex
+};
+
+}  // namespace tessera::render

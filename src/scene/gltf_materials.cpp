@@ -1,0 +1,182 @@
+#include "scene/gltf_materials.hpp"
+
+#include "base/error.hpp"
+#include "scene/file_bytes.hpp"
+#include "scene/gltf_accessor.hpp"
+#include "scene/limits.hpp"
+#include "scene/uri.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace tessera::scene {
+namespace {
+
+/// An image's bytes as the file has them, or a clause that says why there are none.
+FileBytes encoded_image(const Document& document, const ImageSource& source) {
+    if (source.buffer_view) {
+        const auto bytes = view_bytes(document, static_cast<int>(*source.buffer_view));
+        return {{bytes.begin(), bytes.end()}, std::nullopt};
+    }
+    if (is_data_uri(source.uri)) {
+        auto bytes = decode_data_uri(source.uri);
+        if (!bytes) return {{}, "is not well-formed base64 data"};
+        return {std::move(*bytes), std::nullopt};
+    }
+    const LocalPath local = resolve_uri(source.uri, document.folder);
+    if (local.problem) return {{}, fmt::format("({}) {}", in_quotes(source.uri), *local.problem)};
+    FileBytes file = read_file(local.path, max_file_bytes);
+    if (file.problem) file.problem = fmt::format("({}) {}", in_quotes(source.uri), *file.problem);
+    return file;
+}
+
+/// The type by content: what files say about it is often wrong.
+std::string mime_type(const std::vector<std::byte>& bytes) {
+    const auto starts_with = [&](const auto& magic) {
+        return bytes.size() >= magic.size() &&
+               std::equal(magic.begin(), magic.end(), bytes.begin(),
+                          [](unsigned char a, std::byte b) { return std::byte{a} == b; });
+    };
+    if (starts_with(std::array<unsigned char, 4>{0x89, 'P', 'N', 'G'})) return "image/png";
+    if (starts_with(std::array<unsigned char, 3>{0xff, 0xd8, 0xff})) return "image/jpeg";
+    return "";
+}
+
+class ImageLoader {
+public:
+    ImageLoader(const Document& document, Scene& scene) : document_(document), scene_(scene) {}
+
+    /// The place of a file's image among the scene's, loading it at first use.
+    std::optional<std::uint32_t> load(int source) {
+        const auto known = loaded_.find(source);
+        if (known != loaded_.end()) return known->second;
+        return loaded_[source] = load_new(source);
+    }
+
+private:
+    std::optional<std::uint32_t> drop(int source, const std::string& reason) {
+        document_.diagnostics.note(fmt::format("images[{}] {}: it is left out.", source, reason));
+        return std::nullopt;
+    }
+
+    std::optional<std::uint32_t> load_new(int source) {
+        const ImageSource& from = document_.images[static_cast<std::size_t>(source)];
+        FileBytes file = encoded_image(document_, from);
+        if (file.problem) return drop(source, *file.problem);
+        SceneImage image;
+        image.mime_type = mime_type(file.bytes);
+        if (image.mime_type.empty()) return drop(source, "is neither PNG nor JPEG");
+        image.name = from.name.empty() ? fmt::format("images[{}]", source) : from.name;
+        image.encoded = std::move(file.bytes);
+        try {
+            image.pixels = image::decode(image.encoded, fmt::format("images[{}]", source));
+        } catch (const Error& error) {
+            return drop(source, fmt::format("cannot be decoded ({})", error.what()));
+        }
+        decoded_bytes_ += image.pixels.rgba.size();
+        if (decoded_bytes_ > max_image_bytes) {
+            document_.diagnostics.refuse(fmt::format("images[{}]", source),
+                                         fmt::format("brings the decoded images to {} bytes, more than the {} "
+                                                     "supported",
+                                                     decoded_bytes_, max_image_bytes));
+        }
+        scene_.images.push_back(std::move(image));
+        return static_cast<std::uint32_t>(scene_.images.size() - 1);
+    }
+
+    const Document& document_;
+    Scene& scene_;
+    std::map<int, std::optional<std::uint32_t>> loaded_;
+    std::uint64_t decoded_bytes_ = 0;
+};
+
+float unit_range(const Document& document, double value, const std::string& element) {
+    if (value < 0.0 || value > 1.0) {
+        document.diagnostics.note(fmt::format("{} is {}: it is clamped to [0, 1].", element, value));
+    }
+    return static_cast<float>(std::clamp(value, 0.0, 1.0));
+}
+
+const tinygltf::TextureInfo* base_texture(const Document& document, int material) {
+    if (material < 0) return nullptr;
+    const auto& info =
+        document.model.materials[static_cast<std::size_t>(material)].pbrMetallicRoughness.baseColorTexture;
+    return info.index < 0 ? nullptr : &info;
+}
+
+}  // namespace
+
+void load_materials(const Document& document, Scene& scene) {
+    ImageLoader images(document, scene);
+    const auto& model = document.model;
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        const auto& from = model.materials[i];
+        const std::string element = fmt::format("materials[{}]", i);
+        Material material;
+        material.name = from.name.empty() ? element : from.name;
+        for (int c = 0; c < 4; ++c) {
+            material.base_color[c] =
+                unit_range(document, from.pbrMetallicRoughness.baseColorFactor[static_cast<std::size_t>(c)],
+                           element + ".pbrMetallicRoughness.baseColorFactor");
+        }
+        if (const auto* info = base_texture(document, static_cast<int>(i))) {
+            const int source = model.textures[static_cast<std::size_t>(info->index)].source;
+            if (source >= 0) {
+                material.base_color_image = images.load(source);
+            } else {
+                document.diagnostics.note(
+                    fmt::format("textures[{}] has no PNG or JPEG image: it is left out.", info->index));
+            }
+        }
+        if (from.alphaMode == "MASK") material.alpha_mode = AlphaMode::mask;
+        if (from.alphaMode == "BLEND") material.alpha_mode = AlphaMode::blend;
+        material.alpha_cutoff = unit_range(document, from.alphaCutoff, element + ".alphaCutoff");
+        material.double_sided = from.doubleSided;
+        scene.materials.push_back(std::move(material));
+    }
+    const auto lacks_one = [](const tinygltf::Mesh& mesh) {
+        return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                           [](const auto& p) { return p.material < 0; });
+    };
+    if (scene.materials.empty() || std::any_of(model.meshes.begin(), model.meshes.end(), lacks_one)) {
+        Material plain;
+        plain.name = "default";
+        scene.materials.push_back(std::move(plain));
+    }
+}
+
+UvSource uv_source(const Document& document, int material) {
+    UvSource source;
+    const auto* info = base_texture(document, material);
+    if (info == nullptr) return source;
+    source.textured = true;
+    source.set = info->texCoord;
+    const int sampler = document.model.textures[static_cast<std::size_t>(info->index)].sampler;
+    if (sampler >= 0) {
+        const auto& s = document.model.samplers[static_cast<std::size_t>(sampler)];
+        source.repeats = s.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && s.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
+    }
+    const auto extension = info->extensions.find("KHR_texture_transform");
+    if (extension == info->extensions.end()) return source;
+    const tinygltf::Value& value = extension->second;
+    const auto pair = [&](const char* key, double otherwise) {
+        if (!value.Has(key)) return glm::dvec2(otherwise);
+        const auto& array = value.Get(key);
+        return glm::dvec2(array.Get(0).GetNumberAsDouble(), array.Get(1).GetNumberAsDouble());
+    };
+    if (value.Has("texCoord")) source.set = value.Get("texCoord").GetNumberAsInt();
+    const glm::dvec2 offset = pair("offset", 0.0);
+    const glm::dvec2 scale = pair("scale", 1.0);
+    const double angle = value.Has("rotation") ? value.Get("rotation").GetNumberAsDouble() : 0.0;
+    // Translation * rotation * scale. The angle turns counter-clockwise as seen, and v points down.
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    source.transform =
+        glm::dmat3(c * scale.x, -s * scale.x, 0.0, s * scale.y, c * scale.y, 0.0, offset.x, offset.y, 1.0);
+    return source;
+}
+
+}  // namespace tessera::scene

@@ -1,0 +1,38 @@
+#include "base/error.hpp"
+#include "scene/diagnostics.hpp"
+#include "scene/load_gltf.hpp"
+#include "scene/scene.hpp"
+#include "scene/shapes.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+
+namespace tessera::scene {
+namespace {
+
+std::string lower_case_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& name) {
+    if (is_shape(name)) return make_shape(name);
+    const std::filesystem::path path(name);
+    const std::string extension = lower_case_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
+    if (extension == ".obj") {
+        throw Error(ErrorKind::usage, fmt::format("{}: OBJ files cannot be read yet; convert the model to glTF (.glb "
+                                                  "or .gltf).",
+                                                  name));
+    }
+    throw Error(ErrorKind::usage, fmt::format("{}: the extension {} is not known; .gltf and .glb files and shape:NAME "
+                                              "can be read.",
+                                              name, in_quotes(extension)));
+}
+
+}  // namespace tessera::scene
