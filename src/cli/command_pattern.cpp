@@ -15,7 +15,7 @@ namespace tessera::cli {
 namespace {
 
 struct Words {
-    std::string factors, partitioning = "fractional_odd", winding = "cw", device = "reference", output, check;
+    std::string factors, domain = "triangle", partitioning = "fractional_odd", winding = "cw", device = "reference", output, check;
 };
 
 int check(const Words& words) {
@@ -42,19 +42,22 @@ int check(const Words& words) {
     return total == 0 ? exit_fine : exit_difference;
 }
 
-void draw(const Pattern& pattern, const Words& words) {
+void draw(const Pattern& pattern, Domain domain, const Words& words) {
+    if (domain == Domain::isoline) {
+        throw Error(ErrorKind::usage, "Isolines are lines, which the rasteriser does not draw; write a .svg or .csv.");
+    }
     const auto rasteriser = backends::open_rasteriser();
     render::Frame frame;
     frame.width = 1024;
     frame.height = 896;
     frame.shading = render::Shading::wireframe;
-    const render::Bounds bounds{{0.0f, 0.0f, 0.0f}, {1.0f, 0.8660254f, 0.0f}};
+    const render::Bounds bounds{{0.0f, 0.0f, 0.0f}, {1.0f, domain == Domain::triangle ? 0.8660254f : 1.0f, 0.0f}};
     frame.camera = render::frame_bounds(bounds, {0.0f, 0.0f, 0.3f, 1.0f}, 1024.0f / 896.0f);
     rasteriser->begin(frame);
     scene::Material paper;
     paper.double_sided = true;
     rasteriser->set_materials({paper}, {});
-    rasteriser->draw(pattern_vertices(pattern), pattern.indices, 0);
+    rasteriser->draw(pattern_vertices(pattern, domain), pattern.indices, 0);
     image::write_png(rasteriser->finish(), words.output);
 }
 
@@ -68,25 +71,28 @@ int show(const Context& context, const Words& words) {
     if (words.winding != "cw" && words.winding != "ccw") {
         throw Error(ErrorKind::usage, fmt::format("There is no winding named \"{}\"; choose cw or ccw.", words.winding));
     }
-    const std::vector<PatchFactors> factors{factors_from_words(words.factors)};
+    const Domain domain = domain_from_name(words.domain);
+    const std::vector<PatchFactors> factors{factors_from_words(words.factors, domain)};
     gpu::Device device = backends::open_device(words.device);
-    const Pattern pattern = make_patterns(device, Domain::triangle, partitioning_from_name(words.partitioning),
+    const Pattern pattern = make_patterns(device, domain, partitioning_from_name(words.partitioning),
                                           words.winding == "cw", factors)
                                 .front();
     const std::string extension = std::filesystem::path(words.output).extension().string();
     if (words.output.empty()) {
-        fmt::print("{}", pattern_csv(pattern));
+        fmt::print("{}", pattern_csv(pattern, domain));
     } else if (extension == ".svg") {
-        write_file(words.output, pattern_svg(pattern));
+        write_file(words.output, pattern_svg(pattern, domain));
     } else if (extension == ".csv") {
-        write_file(words.output, pattern_csv(pattern));
+        write_file(words.output, pattern_csv(pattern, domain));
     } else if (extension == ".png") {
-        draw(pattern, words);
+        draw(pattern, domain, words);
     } else {
         throw Error(ErrorKind::usage, fmt::format("{} has an unknown extension; a pattern is written as .svg, .png or .csv.",
                                                   words.output));
     }
-    say(context, fmt::format("{} points, {} triangles", pattern.points.size(), pattern.indices.size() / 3));
+    say(context, domain == Domain::isoline
+                     ? fmt::format("{} points, {} segments", pattern.points.size(), pattern.indices.size() / 2)
+                     : fmt::format("{} points, {} triangles", pattern.points.size(), pattern.indices.size() / 3));
     return exit_fine;
 }
 
@@ -104,7 +110,10 @@ void add_pattern_command(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("pattern", "Show one domain pattern, or check a file of golden ones");
     command->footer("Examples: tessera pattern --factors 3,5.5,8,6 -o pattern.svg\n"
                     "          tessera pattern --check tessellator.csv --device all");
-    command->add_option("--factors", words->factors, "F, or U,V,W,INSIDE: edges U=0, V=0, W=0 and inside");
+    command->add_option("--factors", words->factors,
+                        "F, or all of them: triangle U=0,V=0,W=0,INSIDE; quad U=0,V=0,U=1,V=1,INSIDE_U,INSIDE_V; isoline "
+                        "DENSITY,DETAIL");
+    command->add_option("--domain", words->domain, "triangle, quad or isoline")->capture_default_str();
     command->add_option("--partitioning", words->partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
         ->capture_default_str();
     command->add_option("--winding", words->winding, "cw or ccw, the words of D3D")->capture_default_str();

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "tessellate/edge_factors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -20,10 +21,10 @@ std::optional<float> parse_float(const std::string& text) {
     return value;
 }
 
-Error bad_factor(const std::string& words) {
-    return {ErrorKind::usage, fmt::format("The factor \"{}\" is not understood; write one number, four numbers (edge U=0, "
-                                          "edge V=0, edge W=0, inside) separated by commas, or "
-                                          "random:LEAST..GREATEST[:SEED].", words)};
+Error bad_factor(const std::string& words, std::size_t wanted) {
+    return {ErrorKind::usage, fmt::format("The factor \"{}\" is not understood; write one number, {} numbers separated by "
+                                          "commas (outer ones first), or for a model random:LEAST..GREATEST[:SEED].",
+                                          words, wanted)};
 }
 
 // "random:1..8" or "random:1..8:42"
@@ -31,7 +32,7 @@ std::vector<PatchFactors> random_factors(const std::string& words, const patches
     const std::string range = words.substr(std::string("random:").size());
     const std::size_t dots = range.find("..");
     if (dots == std::string::npos) {
-        throw bad_factor(words);
+        throw bad_factor(words, 4);
     }
     const std::size_t colon = range.find(':', dots);
     const auto least = parse_float(range.substr(0, dots));
@@ -39,21 +40,22 @@ std::vector<PatchFactors> random_factors(const std::string& words, const patches
     const std::string seed = colon == std::string::npos ? "1" : range.substr(colon + 1);
     if (!least || !greatest || !std::isfinite(*least) || !std::isfinite(*greatest) || *least > *greatest ||
         seed.empty() || seed.find_first_not_of("0123456789") != std::string::npos || seed.size() > 18) {
-        throw bad_factor(words);
+        throw bad_factor(words, 4);
     }
     return random_edge_factors(patches, *least, *greatest, std::stoull(seed));
 }
 
 }  // namespace
 
-PatchFactors factors_from_words(const std::string& words) {
+PatchFactors factors_from_words(const std::string& words, Domain domain) {
+    const std::size_t wanted = domain == Domain::triangle ? 4 : (domain == Domain::quad ? 6 : 2);
     std::vector<float> numbers;
     std::size_t at = 0;
     while (at <= words.size()) {
         const std::size_t comma = std::min(words.find(',', at), words.size());
         const auto number = parse_float(words.substr(at, comma - at));
-        if (!number || numbers.size() == 4) {
-            throw bad_factor(words);
+        if (!number || numbers.size() == wanted) {
+            throw bad_factor(words, wanted);
         }
         numbers.push_back(*number);
         at = comma + 1;
@@ -61,10 +63,12 @@ PatchFactors factors_from_words(const std::string& words) {
     if (numbers.size() == 1) {
         return {numbers[0], numbers[0], numbers[0], numbers[0], numbers[0], numbers[0]};
     }
-    if (numbers.size() != 4) {
-        throw bad_factor(words);
+    if (numbers.size() != wanted) {
+        throw bad_factor(words, wanted);
     }
-    return {numbers[0], numbers[1], numbers[2], numbers[3], 0, 0};
+    PatchFactors factors{};
+    std::ranges::copy(numbers, factors.begin());
+    return factors;
 }
 
 void add_job_options(CLI::App& command, JobWords& words) {
@@ -89,7 +93,7 @@ TessellationOptions resolve(const JobWords& words, const patches::PatchSet& patc
     if (words.factor.starts_with("random:")) {
         options.factors = random_factors(words.factor, patches);
     } else {
-        options.factors = factors_from_words(words.factor);
+        options.factors = factors_from_words(words.factor, Domain::triangle);
     }
     return options;
 }

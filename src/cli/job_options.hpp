@@ -24,7 +24,8 @@ void add_job_options(CLI::App& command, JobWords& words);
 /// Options for a job over `patches`. Throws Error(usage) for words that make no sense.
 TessellationOptions resolve(const JobWords& words, const patches::PatchSet& patches);
 
-/// Four factors from "F" or "U,V,W,INSIDE". Infinities and "nan" are allowed: the tessellator knows what to do.
-PatchFactors factors_from_words(const std::string& words);
+/// Factors of a domain from "F" (all of them) or as many numbers as it has, separated by commas: 4 for triangles, 6 for
+/// quads, 2 for isolines. Infinities and "nan" are allowed: the tessellator knows what to do.
+PatchFactors factors_from_words(const std::string& words, Domain domain);
 
 }  // namespace tessera::cli
