@@ -82,12 +82,11 @@ int run(const Context& context, const Words& words) {
 
     Tessellator tessellator(device, patches, options);
     Progress progress("rendering", context.quiet);
-    // The surface swells out of its coarse mesh, so the frame is fitted to the output itself: once for its bounds, once
-    // to draw. Memory stays within the budget either way.
-    render::BoundsSink bounds;
-    tessellator.run(bounds, Space::kernel, [&](double f) { progress.update(0.3 * f); });
-    frame.camera = render::frame_bounds(bounds.bounds(), view,
-                                        static_cast<float>(frame.width) / static_cast<float>(frame.height));
+    // The surface swells out of its coarse mesh, so the frame is fitted to the output itself: one run to fit, one to
+    // draw. Memory stays within the budget either way.
+    render::FramingSink framing(view, static_cast<float>(frame.width) / static_cast<float>(frame.height));
+    tessellator.run(framing, Space::kernel, [&](double f) { progress.update(0.3 * f); });
+    frame.camera = framing.camera();
     rasteriser->begin(frame);
     rasteriser->set_materials(scene.materials, scene.images);
     render::DrawSink draw(*rasteriser, tessellator.totals().parts);

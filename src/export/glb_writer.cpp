@@ -7,6 +7,8 @@
 #include "export/writers.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 // A scene as kernels want it: control vertices and triangle patches, scaled so that no arithmetic meets a denormal.
 #pragma once
 
+#include "base/vertex.hpp"
 #include "scene/scene.hpp"
-#include "tessellate/refined_mesh.hpp"
 
 #include <cstdint>
 #include <string>

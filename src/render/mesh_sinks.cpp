@@ -4,11 +4,9 @@
 
 namespace tessera::render {
 
-void BoundsSink::append(const MeshBatch& batch) {
+void FramingSink::append(const MeshBatch& batch) {
     for (const Vertex& vertex : batch.vertices) {
-        const glm::vec3 position(vertex.position[0], vertex.position[1], vertex.position[2]);
-        bounds_.min = glm::min(bounds_.min, position);
-        bounds_.max = glm::max(bounds_.max, position);
+        framing_.add({vertex.position[0], vertex.position[1], vertex.position[2]});
     }
 }
 

@@ -5,14 +5,16 @@
 
 namespace tessera::render {
 
-/// Grows a box around everything it receives.
-class BoundsSink : public MeshSink {
+/// Fits a camera to everything it receives.
+class FramingSink : public MeshSink {
 public:
+    FramingSink(const View& view, float aspect) : framing_(view, aspect) {}
+
     void append(const MeshBatch& batch) override;
-    const Bounds& bounds() const { return bounds_; }
+    Camera camera() const { return framing_.camera(); }
 
 private:
-    Bounds bounds_;
+    Framing framing_;
 };
 
 /// Draws what it receives, each part with its material.

@@ -1,20 +1,14 @@
 // What tessellation gives: interleaved vertices and triangles.
 #pragma once
 
+#include "base/vertex.hpp"
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace tessera {
-
-/// An output vertex as the kernels lay it out: 32 bytes, interleaved.
-struct Vertex {
-    float position[3];
-    float normal[3];  ///< unit
-    float uv[2];
-};
-static_assert(sizeof(Vertex) == 32);
 
 /// A run of output made from one mesh of the scene.
 struct MeshPart {
