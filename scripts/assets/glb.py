@@ -1,0 +1,71 @@
+"""Writes small .glb files and the PNG images in them."""
+
+import json
+import struct
+import zlib
+
+
+def png(width, height, pixel):
+    """An RGB image; pixel(column, row) gives three numbers in [0, 1], row 0 on top."""
+    rows = bytearray()
+    for row in range(height):
+        rows.append(0)
+        for column in range(width):
+            rows += bytes(int(255 * min(1.0, max(0.0, c)) + 0.5) for c in pixel(column, row))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(bytes(rows), 9)) +
+            chunk(b"IEND", b""))
+
+
+def single(values):
+    """The numbers as 32-bit floats hold them."""
+    return struct.unpack("<%df" % len(values), struct.pack("<%df" % len(values), *values))
+
+
+def write_glb(path, name, vertices, faces, image=None, colour=(1.0, 1.0, 1.0, 1.0)):
+    """One mesh of one primitive; each vertex is (position, unit normal, uv)."""
+    assert len(vertices) < 65536
+    flat = [single(tuple(p) + tuple(n) + tuple(t)) for p, n, t in vertices]
+    data = b"".join(struct.pack("<8f", *v) for v in flat)
+    views = [{"buffer": 0, "byteLength": len(data), "byteStride": 32, "target": 34962}]
+
+    def view(more, **properties):
+        nonlocal data
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(more), **properties})
+        data += more + b"\0" * (-len(more) % 4)
+        return len(views) - 1
+
+    view(b"".join(struct.pack("<3H", *f) for f in faces), target=34963)
+    attributes = [("POSITION", "VEC3", 0), ("NORMAL", "VEC3", 12), ("TEXCOORD_0", "VEC2", 24)]
+    accessors = [{"bufferView": 0, "byteOffset": offset, "componentType": 5126, "count": len(vertices), "type": kind}
+                 for _, kind, offset in attributes]
+    accessors[0]["min"] = [min(v[i] for v in flat) for i in range(3)]
+    accessors[0]["max"] = [max(v[i] for v in flat) for i in range(3)]
+    accessors.append({"bufferView": 1, "componentType": 5123, "count": 3 * len(faces), "type": "SCALAR"})
+    surface = {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.7}
+    primitive = {"attributes": {a[0]: i for i, a in enumerate(attributes)}, "indices": 3, "material": 0}
+    document = {
+        "asset": {"version": "2.0", "generator": "Tessera make_assets.py", "copyright": "the Tessera authors, MIT"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"name": name, "mesh": 0}],
+        "meshes": [{"name": name, "primitives": [primitive]}],
+        "materials": [{"name": name, "pbrMetallicRoughness": surface}],
+        "accessors": accessors,
+        "bufferViews": views,
+    }
+    if image is not None:
+        surface["baseColorTexture"] = {"index": 0}
+        document["textures"] = [{"source": 0}]
+        document["images"] = [{"name": name, "mimeType": "image/png", "bufferView": view(image)}]
+    document["buffers"] = [{"byteLength": len(data)}]
+    text = json.dumps(document, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    with open(path, "wb") as file:
+        file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(data)))
+        file.write(struct.pack("<II", len(text), 0x4E4F534A) + text)
+        file.write(struct.pack("<II", len(data), 0x004E4942) + data)

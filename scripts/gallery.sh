@@ -1,0 +1,39 @@
+#!/bin/sh
+# Draws the pictures of README and docs/gallery again. Needs the shared models (TESSERA_SHARED, default ../shared) and
+# ImageMagick, to put panels side by side.
+set -eu
+cd "$(dirname "$0")/.."
+
+tessera=${1:-build/release/tessera}
+models=${TESSERA_SHARED:-../shared}/models
+panels=$(mktemp -d)
+trap 'rm -rf "$panels"' EXIT
+
+panel() { # NAME MODEL OPTIONS...
+    name=$1
+    model=$2
+    shift 2
+    "$tessera" --quiet render "$model" -o "$panels/$name.png" "$@"
+}
+beside() { # OUTPUT PANEL...
+    output=$1
+    shift
+    convert "$@" +append -define png:compression-level=9 "PNG24:docs/gallery/$output"
+}
+
+rabbit="assets/rabbit.glb --camera -38,14 --size 420x600"
+panel coarse $rabbit --scheme linear --factor 1
+panel wires $rabbit --scheme pn --factor 3 --shading wireframe
+panel smooth $rabbit --scheme pn --factor 12
+beside rabbit.png "$panels/coarse.png" "$panels/wires.png" "$panels/smooth.png"
+
+pair() { # OUTPUT MODEL CAMERA
+    panel before "$2" --camera "$3" --size 460x460 --scheme linear --factor 1
+    panel after "$2" --camera "$3" --size 460x460 --scheme pn --factor 8
+    beside "$1" "$panels/before.png" "$panels/after.png"
+}
+pair fox.png "$models/Fox/Fox.glb" -40,12
+pair avocado.png "$models/Avocado/Avocado.gltf" -25,15
+pair suzanne.png "$models/SuzanneBlender/02_suzanne.gltf" 25,10
+pair figure.png "$models/RiggedFigure/RiggedFigure.glb" 30,8
+pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22

@@ -1,0 +1,18 @@
+// The whole library. The pipeline, in the order data flows:
+//   scene::load_scene     a file becomes meshes and materials
+//   patches::make_patches meshes become patches over scaled control vertices
+//   tessellate            patches become vertices and indices on any gpu::Device
+//   exporting, render     those become a file or a picture
+#pragma once
+
+#include "backends/registry.hpp"
+#include "base/error.hpp"
+#include "export/mesh_writer.hpp"
+#include "image/image.hpp"
+#include "patches/patches.hpp"
+#include "render/mesh_sinks.hpp"
+#include "scene/scene.hpp"
+#include "tessellate/edge_factors.hpp"
+#include "tessellate/pattern.hpp"
+#include "tessellate/tessellate.hpp"
+#include "verify/compare_jobs.hpp"
