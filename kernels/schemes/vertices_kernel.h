@@ -6,17 +6,15 @@ KERNELS_BEGIN
 KERNEL5(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
         WRITE(3, float, vertex_buffer), UNIFORM(4, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
-    const uint item = ITEM;
-    if ((item >> p.lanes_log2) >= p.patch_count) {
+    const EmissionItem e = make_emission_item(p, ITEM);
+    if (e.has_patch == 0u) {
         return;
     }
-    const uint patch_index = p.first_patch + (item >> p.lanes_log2);
-    const uint lanes = 1u << p.lanes_log2;
-    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, patch_index);
-    const uint start = offsets[patch_index * COUNT_WORDS] - p.first_vertex;
+    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, e.patch_index);
+    const uint start = VERTEX_START(p, offsets, e.patch_index);
     const uint count = triangle_point_count(t);
 
-    const uint net = patch_index * NET_FLOATS(VERTICES_DEGREE, VERTICES_NORMALS);
+    const uint net = e.patch_index * NET_FLOATS(VERTICES_DEGREE, VERTICES_NORMALS);
     const Vector c0 = LOAD_VECTOR(nets, net);
     const Vector c1 = LOAD_VECTOR(nets, net + 3u);
     const Vector c2 = LOAD_VECTOR(nets, net + 6u);
@@ -50,7 +48,7 @@ KERNEL5(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
     const float s2 = nets[uvs + 4u];
     const float t2 = nets[uvs + 5u];
 
-    for (uint i = item & (lanes - 1u); i < count; i = i + lanes) {
+    for (uint i = e.lane; i < count; i = i + e.lanes) {
         const DomainPoint point = triangle_point(t, i);
         const Barycentric b = make_barycentric(point.u, point.v);
 #if VERTICES_DEGREE == 1

@@ -1,4 +1,5 @@
 // The domain points of isoline patches, u and v in 16.16 per vertex: what `tessera pattern` shows and checks.
+#include "emission.h"
 #include "tessellator/isoline.h"
 
 #define POINTS_KERNEL domain_points_isoline

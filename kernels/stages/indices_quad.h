@@ -1,4 +1,5 @@
 // Stage 6 for quad patches: records and offsets -> triangles, three indices each.
+#include "emission.h"
 #include "tessellator/quad.h"
 
 #define INDICES_KERNEL indices_quad

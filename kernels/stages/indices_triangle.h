@@ -1,4 +1,5 @@
 // Stage 6 for triangle patches: records and offsets -> triangles, three indices each.
+#include "emission.h"
 #include "tessellator/triangle.h"
 
 #define INDICES_KERNEL indices_triangle

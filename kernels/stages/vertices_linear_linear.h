@@ -1,4 +1,5 @@
 // Vertices of linear surfaces with linear normals.
+#include "emission.h"
 #include "schemes/basis.h"
 #include "tessellator/triangle.h"
 

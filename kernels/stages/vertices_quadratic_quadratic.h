@@ -1,4 +1,5 @@
 // Vertices of quadratic surfaces with quadratic normals.
+#include "emission.h"
 #include "schemes/basis.h"
 #include "tessellator/triangle.h"
 

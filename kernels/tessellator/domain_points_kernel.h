@@ -6,16 +6,14 @@ KERNELS_BEGIN
 KERNEL4(POINTS_KERNEL, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, points),
         UNIFORM(3, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
-    const uint item = ITEM;
-    if ((item >> p.lanes_log2) >= p.patch_count) {
+    const EmissionItem e = make_emission_item(p, ITEM);
+    if (e.has_patch == 0u) {
         return;
     }
-    const uint patch_index = p.first_patch + (item >> p.lanes_log2);
-    const uint lanes = 1u << p.lanes_log2;
-    const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
-    const uint start = offsets[patch_index * COUNT_WORDS] - p.first_vertex;
+    const PATCH_TYPE t = LOAD_PATCH(records, e.patch_index);
+    const uint start = VERTEX_START(p, offsets, e.patch_index);
     const uint count = POINT_COUNT(t);
-    for (uint i = item & (lanes - 1u); i < count; i = i + lanes) {
+    for (uint i = e.lane; i < count; i = i + e.lanes) {
         const DomainPoint point = POINT_AT(t, i);
         points[2u * (start + i)] = point.u;
         points[2u * (start + i) + 1u] = point.v;

@@ -6,18 +6,16 @@ KERNELS_BEGIN
 KERNEL4(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, index_buffer),
         UNIFORM(3, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
-    const uint item = ITEM;
-    if ((item >> p.lanes_log2) >= p.patch_count) {
+    const EmissionItem e = make_emission_item(p, ITEM);
+    if (e.has_patch == 0u) {
         return;
     }
-    const uint patch_index = p.first_patch + (item >> p.lanes_log2);
-    const uint lanes = 1u << p.lanes_log2;
-    const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
+    const PATCH_TYPE t = LOAD_PATCH(records, e.patch_index);
     const bool flip = (t.flags & RECORD_FLIP) != 0u;
-    const uint base = p.vertex_base + (offsets[patch_index * COUNT_WORDS] - p.first_vertex);
-    const uint start = offsets[patch_index * COUNT_WORDS + 1u] - p.first_index;
+    const uint base = p.vertex_base + VERTEX_START(p, offsets, e.patch_index);
+    const uint start = INDEX_START(p, offsets, e.patch_index);
     const uint count = TRIANGLE_COUNT(t);
-    for (uint i = item & (lanes - 1u); i < count; i = i + lanes) {
+    for (uint i = e.lane; i < count; i = i + e.lanes) {
         const Triangle corners = TRIANGLE_AT(t, i);
         const uint at = start + 3u * i;
         index_buffer[at] = base + corners.a;
