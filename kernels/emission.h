@@ -1,4 +1,5 @@
-// How the work items of an emitting kernel share out patches: 2^lanes_log2 items, the lanes, take turns on a patch.
+// How the work items of an emitting kernel share out the patches of a list: 2^lanes_log2 items, the lanes, take turns on a
+// patch.
 #ifndef TESSERA_EMISSION_H
 #define TESSERA_EMISSION_H
 
@@ -7,18 +8,18 @@
 KERNELS_BEGIN
 
 STRUCT(EmissionItem) {
-    uint has_patch;    // 0: the item is beyond the last patch
-    uint patch_index;  // in the chunk
-    uint lane;         // the first element this item makes
-    uint lanes;        // the step to its next one
+    uint has_patch;  // 0: the item is beyond the last patch
+    uint entry;      // of the patch list
+    uint lane;       // the first element this item makes
+    uint lanes;      // the step to its next one
 };
 
 FUNCTION EmissionItem make_emission_item(EmitParams p, uint item) {
     EmissionItem e;
     e.lanes = 1u << p.lanes_log2;
     e.lane = item & (e.lanes - 1u);
-    e.patch_index = p.first_patch + (item >> p.lanes_log2);
-    e.has_patch = (item >> p.lanes_log2) < p.patch_count ? 1u : 0u;
+    e.entry = p.first + (item >> p.lanes_log2);
+    e.has_patch = (item >> p.lanes_log2) < p.count ? 1u : 0u;
     return e;
 }
 

@@ -20,6 +20,12 @@
 #define DOMAIN_TRIANGLE 0u
 #define DOMAIN_QUAD 1u
 #define DOMAIN_ISOLINE 2u
+// In FactorsParams only: the patch indices tell, for their fourth entry is NO_CORNER in triangles.
+#define DOMAIN_PER_PATCH 3u
+
+// Patch indices: four per patch, the fourth NO_CORNER for triangles.
+#define PATCH_CORNERS 4u
+#define NO_CORNER 0xffffffffu
 
 // Factors per patch in the factor buffer, for every domain: outer factors first, then inner; unused ones are ignored.
 #define PATCH_FACTORS 6u
@@ -40,8 +46,14 @@
 // Control nets, one per patch, floats: control points of degree d (3 each), normals of degree n (3 each), then the three
 // texture coordinates (2 each). Order of control points, with corners 0, 1, 2 at u = 1, v = 1, w = 1:
 //   degree 1: 0 1 2;  degree 2: 0 1 2 01 12 20;  degree 3: 0 1 2 01 10 12 21 20 02 centre (ij: next to i, towards j).
+// Quads, with corners 0 1 2 3 around the face and four texture coordinates:
+//   degree 1: 0 1 2 3;  degree 2: 0 1 2 3 01 12 23 30 centre;  degree 3: 0 1 2 3 01 10 12 21 23 32 30 03 and the inner
+//   points next to 0 1 2 3.
+// A job has one stride for all its nets, that of quads where there are any.
 #define NET_POINTS(degree) ((degree) == 1u ? 3u : ((degree) == 2u ? 6u : 10u))
 #define NET_FLOATS(degree, normal_degree) (3u * NET_POINTS(degree) + 3u * NET_POINTS(normal_degree) + 6u)
+#define QUAD_NET_POINTS(degree) (((degree) + 1u) * ((degree) + 1u))
+#define QUAD_NET_FLOATS(degree, normal_degree) (3u * QUAD_NET_POINTS(degree) + 3u * QUAD_NET_POINTS(normal_degree) + 8u)
 
 // Items of one block of the scan.
 #define SCAN_BLOCK 256u
@@ -56,7 +68,7 @@ STRUCT(ScaleProbeParams) {
 STRUCT(FactorsParams) {
     uint patch_count;
     uint partitioning;
-    uint domain;
+    uint domain;     // of all patches, or DOMAIN_PER_PATCH
     uint flip;       // 1: reverse the winding
     uint per_patch;  // 0: factors 0..5 hold for every patch; 1: PATCH_FACTORS per patch
 };
@@ -69,19 +81,23 @@ STRUCT(ScanParams) {
     uint count;  // pairs to scan
 };
 
+// Kernels that are made for one domain find their patches in a list: entries [first, first + count).
 STRUCT(ControlNetsParams) {
-    uint patch_count;
-    float alpha;  // shape factor of Phong tessellation; other schemes ignore it
+    uint first;
+    uint count;
+    uint net_stride;  // floats
+    float alpha;      // shape factor of Phong tessellation; other schemes ignore it
 };
 
-// Emission of the patches [first_patch, first_patch + patch_count) into buffers that begin with the first of them.
+// Emission into buffers that begin with the first vertex and index of a batch.
 STRUCT(EmitParams) {
-    uint first_patch;
-    uint patch_count;
-    uint lanes_log2;     // 2^lanes_log2 items share a patch: item = patch << lanes_log2 | lane
-    uint first_vertex;   // offset of first_patch's first vertex, subtracted from every vertex position
-    uint first_index;    // likewise for indices
-    uint vertex_base;    // added to every index value
+    uint first;
+    uint count;
+    uint lanes_log2;    // 2^lanes_log2 items share a patch: item = entry << lanes_log2 | lane
+    uint first_vertex;  // subtracted from every vertex position
+    uint first_index;   // subtracted from every index position
+    uint vertex_base;   // added to every index value
+    uint net_stride;    // floats
 };
 
 KERNELS_END

@@ -1,21 +1,22 @@
-// Stage 2, the kernel of every scheme: corners -> control net. An including file names the kernel and its scheme by
+// Stage 2 for triangles, the kernel of every scheme: corners -> control net. An including file names the kernel and its scheme by
 // NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn: the degree) and NET_NORMALS (1 linear, 2 quadratic).
 // No include guard: every variant includes it once.
 KERNELS_BEGIN
 
-KERNEL4(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), WRITE(2, float, nets),
-        UNIFORM(3, ControlNetsParams, params)) {
+KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
+        WRITE(3, float, nets), UNIFORM(4, ControlNetsParams, params)) {
     const ControlNetsParams p = LOAD_UNIFORM(params);
-    const uint patch_index = ITEM;
-    if (patch_index >= p.patch_count) {
+    const uint item = ITEM;
+    if (item >= p.count) {
         return;
     }
-    const uint i0 = patch_indices[3u * patch_index];
-    const uint i1 = patch_indices[3u * patch_index + 1u];
-    const uint i2 = patch_indices[3u * patch_index + 2u];
+    const uint patch_index = patch_list[p.first + item];
+    const uint i0 = patch_indices[PATCH_CORNERS * patch_index];
+    const uint i1 = patch_indices[PATCH_CORNERS * patch_index + 1u];
+    const uint i2 = patch_indices[PATCH_CORNERS * patch_index + 2u];
     Corners corners;
     LOAD_CORNERS(corners, control_vertices, i0, i1, i2);
-    const uint at = patch_index * NET_FLOATS(NET_SCHEME, NET_NORMALS);
+    const uint at = patch_index * p.net_stride;
 #if NET_SCHEME == 1
     const LinearNet net = linear_net(corners);
 #elif NET_SCHEME == 2
@@ -58,6 +59,9 @@ KERNEL4(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indice
     nets[uvs + 3u] = control_vertices[i1 * VERTEX_FLOATS + 7u];
     nets[uvs + 4u] = control_vertices[i2 * VERTEX_FLOATS + 6u];
     nets[uvs + 5u] = control_vertices[i2 * VERTEX_FLOATS + 7u];
+    for (uint rest = NET_FLOATS(NET_SCHEME, NET_NORMALS); rest < p.net_stride; ++rest) {
+        nets[at + rest] = 0.0f;
+    }
 }
 
 KERNELS_END

@@ -1,20 +1,21 @@
-// Stage 5, the kernel of every scheme: control net and domain points -> vertices of 32 bytes. An including file names the
+// Stage 5 for triangles, the kernel of every scheme: control net and domain points -> vertices of 32 bytes. An including file names the
 // kernel and its degrees by VERTICES_KERNEL, VERTICES_DEGREE (1..3) and VERTICES_NORMALS (1 linear, 2 quadratic).
 // No include guard: every variant includes it once.
 KERNELS_BEGIN
 
-KERNEL5(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
-        WRITE(3, float, vertex_buffer), UNIFORM(4, EmitParams, params)) {
+KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
+        READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), UNIFORM(5, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
         return;
     }
-    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, e.patch_index);
-    const uint start = VERTEX_START(p, offsets, e.patch_index);
+    const uint patch_index = patch_list[e.entry];
+    const TrianglePatch t = LOAD_TRIANGLE_PATCH(records, patch_index);
+    const uint start = VERTEX_START(p, offsets, patch_index);
     const uint count = triangle_point_count(t);
 
-    const uint net = e.patch_index * NET_FLOATS(VERTICES_DEGREE, VERTICES_NORMALS);
+    const uint net = patch_index * p.net_stride;
     const Vector c0 = LOAD_VECTOR(nets, net);
     const Vector c1 = LOAD_VECTOR(nets, net + 3u);
     const Vector c2 = LOAD_VECTOR(nets, net + 6u);

@@ -3,15 +3,17 @@
 // No include guard: every variant includes it once.
 KERNELS_BEGIN
 
-KERNEL4(POINTS_KERNEL, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, points),
-        UNIFORM(3, EmitParams, params)) {
+KERNEL5(POINTS_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
+        WRITE(3, uint, points),
+        UNIFORM(4, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
         return;
     }
-    const PATCH_TYPE t = LOAD_PATCH(records, e.patch_index);
-    const uint start = VERTEX_START(p, offsets, e.patch_index);
+    const uint patch_index = patch_list[e.entry];
+    const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
+    const uint start = VERTEX_START(p, offsets, patch_index);
     const uint count = POINT_COUNT(t);
     for (uint i = e.lane; i < count; i = i + e.lanes) {
         const DomainPoint point = POINT_AT(t, i);

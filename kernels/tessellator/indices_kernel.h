@@ -3,17 +3,19 @@
 // No include guard: every variant includes it once.
 KERNELS_BEGIN
 
-KERNEL4(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), WRITE(2, uint, index_buffer),
-        UNIFORM(3, EmitParams, params)) {
+KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
+        WRITE(3, uint, index_buffer),
+        UNIFORM(4, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
         return;
     }
-    const PATCH_TYPE t = LOAD_PATCH(records, e.patch_index);
+    const uint patch_index = patch_list[e.entry];
+    const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
     const bool flip = (t.flags & RECORD_FLIP) != 0u;
-    const uint base = p.vertex_base + VERTEX_START(p, offsets, e.patch_index);
-    const uint start = INDEX_START(p, offsets, e.patch_index);
+    const uint base = p.vertex_base + VERTEX_START(p, offsets, patch_index);
+    const uint start = INDEX_START(p, offsets, patch_index);
     const uint count = TRIANGLE_COUNT(t);
     for (uint i = e.lane; i < count; i = i + e.lanes) {
         const Triangle corners = TRIANGLE_AT(t, i);

@@ -35,13 +35,13 @@ Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
 
 PatchSet make_patches(const scene::Scene& scene) {
     std::uint64_t vertex_count = 0;
-    std::uint64_t index_count = 0;
+    std::uint64_t patch_count = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
         vertex_count += mesh.positions.size();
-        index_count += mesh.triangles.size();
+        patch_count += mesh.triangles.size() / 3 + mesh.quads.size() / 4;
     }
-    if (index_count == 0) {
-        throw Error(ErrorKind::usage, fmt::format("{} holds no triangles, so there is nothing to tessellate.",
+    if (patch_count == 0) {
+        throw Error(ErrorKind::usage, fmt::format("{} holds no triangles or quads, so there is nothing to tessellate.",
                                                   scene.source));
     }
     if (vertex_count > 0xffffffffull) {
@@ -51,15 +51,21 @@ PatchSet make_patches(const scene::Scene& scene) {
     PatchSet set;
     set.exponent = largest_exponent(scene);
     set.control_vertices.reserve(vertex_count);
-    set.indices.reserve(index_count);
+    set.corners.reserve(patch_count);
     for (const scene::Mesh& mesh : scene.meshes) {
         const auto base = static_cast<std::uint32_t>(set.control_vertices.size());
-        set.ranges.push_back({mesh.name, mesh.material, set.patch_count(), mesh.triangles.size() / 3});
+        set.ranges.push_back({mesh.name, mesh.material, set.patch_count(), mesh.triangles.size() / 3 + mesh.quads.size() / 4});
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             set.control_vertices.push_back(control_vertex(mesh, i, set.exponent));
         }
-        for (const std::uint32_t index : mesh.triangles) {
-            set.indices.push_back(base + index);
+        for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+            const std::uint32_t* face = &mesh.triangles[i];
+            set.corners.push_back({base + face[0], base + face[1], base + face[2], no_corner});
+        }
+        for (std::size_t i = 0; i < mesh.quads.size(); i += 4) {
+            const std::uint32_t* face = &mesh.quads[i];
+            set.corners.push_back({base + face[0], base + face[1], base + face[2], base + face[3]});
+            set.has_quads = true;
         }
     }
     return set;

@@ -4,6 +4,7 @@
 #include "base/vertex.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,16 +19,26 @@ struct PatchRange {
     std::uint64_t patch_count = 0;
 };
 
-/// Triangle patches over shared control vertices, in the order of the scene's meshes.
+/// Stands for the fourth corner of a triangle.
+inline constexpr std::uint32_t no_corner = 0xffffffffu;
+
+/// Four control vertices around a face; the fourth of a triangle is no_corner.
+using PatchCorners = std::array<std::uint32_t, 4>;
+
+inline bool is_quad(const PatchCorners& corners) { return corners[3] != no_corner; }
+
+/// Triangle and quad patches over shared control vertices, in the order of the scene's meshes; of each mesh, triangles
+/// before quads.
 struct PatchSet {
     std::vector<Vertex> control_vertices;  ///< positions times 2^-exponent
-    std::vector<std::uint32_t> indices;    ///< three per patch
+    std::vector<PatchCorners> corners;     ///< of each patch
+    bool has_quads = false;
     std::vector<PatchRange> ranges;
     /// The largest coordinate of the scene lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
     /// 2^exponent, exactly.
     int exponent = 0;
 
-    std::uint64_t patch_count() const { return indices.size() / 3; }
+    std::uint64_t patch_count() const { return corners.size(); }
 };
 
 /// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60

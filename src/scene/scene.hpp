@@ -40,6 +40,7 @@ struct Mesh {
     std::vector<glm::vec3> normals;    ///< unit, one per position
     std::vector<glm::vec2> uvs;  ///< one per position; zero where the file has none. KHR_texture_transform is applied
     std::vector<std::uint32_t> triangles;  ///< three indices per triangle, all < positions.size()
+    std::vector<std::uint32_t> quads;
     std::uint32_t material = 0;            ///< index into Scene::materials
 };
 

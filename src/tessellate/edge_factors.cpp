@@ -33,15 +33,24 @@ std::vector<PatchFactors> random_edge_factors(const patches::PatchSet& patches, 
                                               std::uint64_t seed) {
     std::vector<PatchFactors> factors(patches.patch_count());
     for (std::size_t i = 0; i < factors.size(); ++i) {
-        std::array<std::uint64_t, 3> corner;
-        for (std::size_t k = 0; k < 3; ++k) {
-            corner[k] = position_hash(patches.control_vertices[patches.indices[3 * i + k]], seed);
+        const patches::PatchCorners& corners = patches.corners[i];
+        std::array<std::uint64_t, 4> corner{};
+        for (std::size_t k = 0; k < (patches::is_quad(corners) ? 4u : 3u); ++k) {
+            corner[k] = position_hash(patches.control_vertices[corners[k]], seed);
         }
-        // Edge U=0 joins corners 1 and 2, V=0 joins 2 and 0, W=0 joins 0 and 1; the sum does not depend on direction.
+        // The sum does not depend on the direction of the edge.
         const auto edge = [&](std::size_t a, std::size_t b) {
             return factor_from(mix(corner[a] + corner[b]), least, greatest);
         };
-        factors[i] = {edge(1, 2), edge(2, 0), edge(0, 1), factor_from(mix(seed ^ mix(i)), least, greatest), 0, 0};
+        const float inside = factor_from(mix(seed ^ mix(i)), least, greatest);
+        if (patches::is_quad(corners)) {
+            // Edge U=0 joins corners 3 and 0, V=0 joins 0 and 1, U=1 joins 1 and 2, V=1 joins 2 and 3.
+            const float inside_v = factor_from(mix(seed ^ mix(~i)), least, greatest);
+            factors[i] = {edge(3, 0), edge(0, 1), edge(1, 2), edge(2, 3), inside, inside_v};
+        } else {
+            // Edge U=0 joins corners 1 and 2, V=0 joins 2 and 0, W=0 joins 0 and 1.
+            factors[i] = {edge(1, 2), edge(2, 0), edge(0, 1), inside, 0, 0};
+        }
     }
     return factors;
 }

@@ -44,16 +44,33 @@ void check(const patches::PatchSet& patches, const TessellationOptions& options,
 
 std::string_view name(StageId stage) { return stage_names[static_cast<std::size_t>(stage)]; }
 
+// The stages that are made for one domain, and the chunk's patches of that domain: their numbers in order, and where
+// their list begins in the buffer of lists.
+struct DomainStages {
+    Domain domain = Domain::triangle;
+    Stage nets, vertices, indices;
+    std::vector<std::uint32_t> patches;
+    std::uint32_t list_start = 0;
+
+    /// The entries of the list that lie in a range of patches: first and count.
+    std::pair<std::uint32_t, std::uint32_t> entries(std::uint32_t first_patch, std::uint32_t patch_count) const {
+        const auto begin = std::ranges::lower_bound(patches, first_patch);
+        const auto end = std::ranges::lower_bound(patches, first_patch + patch_count);
+        return {list_start + static_cast<std::uint32_t>(begin - patches.begin()), static_cast<std::uint32_t>(end - begin)};
+    }
+};
+
 struct Job::State {
     gpu::Device device;
     const patches::PatchSet& patches;
     TessellationOptions options;
     JobPlan plan;
     ParameterRing parameters;
+    gpu::Buffer patch_corners, patch_list;
     PatchCounter counter;
     StageClock clock;
-    gpu::Buffer control_vertices, patch_indices, nets, vertices, indices;
-    Stage nets_stage, vertices_stage, indices_stage;
+    gpu::Buffer control_vertices, nets, vertices, indices;
+    std::array<DomainStages, 2> domains;  // triangles, quads
     std::size_t current_chunk = 0;
     std::vector<PatchOffset> offsets;
     std::vector<Batch> batches;
@@ -64,9 +81,11 @@ struct Job::State {
         : device(std::move(d)),
           patches(p),
           options(o),
-          plan(plan_job(p.patch_count(), p.control_vertices.size() * sizeof(Vertex), o, limits)),
+          plan(plan_job(p.patch_count(), p.has_quads, p.control_vertices.size() * sizeof(Vertex), o, limits)),
           parameters(device, PatchCounter::parameter_slots + 1),
-          counter(device, plan.largest_chunk, factors_per_patch(), parameters),
+          patch_corners(storage("patch corners", std::uint64_t{plan.largest_chunk} * PATCH_CORNERS * 4)),
+          patch_list(storage("patch list", std::uint64_t{plan.largest_chunk} * 4)),
+          counter(device, plan.largest_chunk, factors_per_patch(), parameters, patch_corners),
           clock(device) {}
 
     bool factors_per_patch() const { return std::holds_alternative<std::vector<PatchFactors>>(options.factors); }
@@ -75,18 +94,48 @@ struct Job::State {
         return device.create_buffer({label, bytes, storage_usage});
     }
 
-    std::string variant(const char* stage, std::string_view first) const {
-        return fmt::format("{}_{}_{}", stage, first, name(options.normals));
+    std::string variant(const char* stage, std::string_view first, Domain domain) const {
+        return fmt::format("{}_{}_{}_{}", stage, first, name(options.normals), name(domain));
+    }
+
+    std::uint32_t stride() const { return net_stride(options, patches.has_quads); }
+
+    template <typename Body>
+    void for_used_domains(Body&& body) {
+        for (DomainStages& d : domains) {
+            if (d.domain == Domain::triangle || patches.has_quads) body(d);
+        }
     }
 
     void create_chunk_buffers() {
         control_vertices = storage("control vertices", patches.control_vertices.size() * sizeof(Vertex));
-        patch_indices = storage("patch indices", std::uint64_t{plan.largest_chunk} * 12);
-        nets = storage("control nets",
-                       std::uint64_t{plan.largest_chunk} * net_floats(options.scheme, options.normals) * 4);
-        nets_stage = Stage(device, variant("control_net", name(options.scheme)), {control_vertices, patch_indices, nets},
-                           parameters);
+        nets = storage("control nets", std::uint64_t{plan.largest_chunk} * stride() * 4);
+        domains[1].domain = Domain::quad;
+        for_used_domains([&](DomainStages& d) {
+            d.nets = Stage(device, variant("control_net", name(options.scheme), d.domain),
+                           {control_vertices, patch_corners, patch_list, nets}, parameters);
+        });
         device.queue().write_buffer(control_vertices, 0, std::as_bytes(std::span(patches.control_vertices)));
+    }
+
+    // Uploads the corners of a chunk, and its patches by domain.
+    void upload_chunk(const Chunk& chunk) {
+        const std::span corners = std::span(patches.corners).subspan(chunk.first_patch, chunk.patch_count);
+        device.queue().write_buffer(patch_corners, 0, std::as_bytes(corners));
+        for (DomainStages& d : domains) {
+            d.patches.clear();
+        }
+        for (std::uint32_t i = 0; i < chunk.patch_count; ++i) {
+            domains[patches::is_quad(corners[i]) ? 1 : 0].patches.push_back(i);
+        }
+        std::uint32_t start = 0;
+        for (DomainStages& d : domains) {
+            d.list_start = start;
+            if (!d.patches.empty()) {
+                device.queue().write_buffer(patch_list, std::uint64_t{start} * 4, std::as_bytes(std::span(d.patches)));
+            }
+            start += static_cast<std::uint32_t>(d.patches.size());
+        }
     }
 
     void fill(gpu::CommandEncoder& encoder, std::initializer_list<gpu::Buffer> outputs) const {
@@ -107,13 +156,18 @@ struct Job::State {
             if (vertices) vertices.destroy();
             vertices = storage("vertices", vertex_bytes);
             const auto degree = degree_names[static_cast<std::size_t>(options.scheme)];
-            vertices_stage = Stage(device, variant("vertices", degree),
-                                   {nets, counter.records(), counter.offsets(), vertices}, parameters);
+            for_used_domains([&](DomainStages& d) {
+                d.vertices = Stage(device, variant("vertices", degree, d.domain),
+                                   {nets, counter.records(), counter.offsets(), patch_list, vertices}, parameters);
+            });
         }
         if (index_bytes > (indices ? indices.size() : 0)) {
             if (indices) indices.destroy();
             indices = storage("indices", index_bytes);
-            indices_stage = Stage(device, "indices_triangle", {counter.records(), counter.offsets(), indices}, parameters);
+            for_used_domains([&](DomainStages& d) {
+                d.indices = Stage(device, fmt::format("indices_{}", name(d.domain)),
+                                  {counter.records(), counter.offsets(), patch_list, indices}, parameters);
+            });
         }
     }
 };
@@ -141,6 +195,7 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
     } else {
         s.counter.upload_factors(s.device, std::span(&std::get<PatchFactors>(s.options.factors), 1));
     }
+    s.upload_chunk(chunk);
     s.parameters.reset();
     gpu::CommandEncoder encoder = s.device.create_command_encoder();
     s.fill(encoder, {s.counter.records(), s.counter.counts(), s.counter.offsets()});
@@ -166,15 +221,17 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
 const std::vector<Batch>& Job::prepare() {
     State& s = *state_;
     const Chunk& chunk = s.plan.chunks[s.current_chunk];
-    const std::span indices = std::span(s.patches.indices).subspan(chunk.first_patch * 3, chunk.patch_count * 3ull);
-    s.device.queue().write_buffer(s.patch_indices, 0, std::as_bytes(indices));
     s.parameters.reset();
-    const std::uint32_t offset = s.parameters.push(kernels::ControlNetsParams{chunk.patch_count, s.options.alpha});
     gpu::CommandEncoder encoder = s.device.create_command_encoder();
     s.fill(encoder, {s.nets});
     s.clock.begin(encoder);
     gpu::ComputePass pass = encoder.begin_compute_pass();
-    s.nets_stage.record(pass, offset, chunk.patch_count);
+    for (const DomainStages& d : s.domains) {
+        const auto [first, count] = d.entries(0, chunk.patch_count);
+        if (count == 0) continue;
+        const kernels::ControlNetsParams params{first, count, s.stride(), s.options.alpha};
+        d.nets.record(pass, s.parameters.push(params), count);
+    }
     pass.end();
     s.clock.mark(encoder, StageId::control_nets);
     s.clock.finish(encoder);
@@ -189,25 +246,24 @@ const std::vector<Batch>& Job::prepare() {
 void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
     State& s = *state_;
     s.parameters.reset();
-    const auto params = [&](std::uint32_t lanes) {
-        return kernels::EmitParams{batch.first_patch, batch.patch_count, lanes,
-                                   batch.first_vertex, batch.first_index, vertex_base};
-    };
-    const std::uint32_t vertex_lanes = lanes_log2(s.device.info(), batch.patch_count, batch.vertex_count);
-    const std::uint32_t index_lanes = lanes_log2(s.device.info(), batch.patch_count, batch.index_count / 3);
     gpu::CommandEncoder encoder = s.device.create_command_encoder();
     s.fill(encoder, {s.vertices, s.indices});
     s.clock.begin(encoder);
-    gpu::ComputePass pass = encoder.begin_compute_pass();
-    s.vertices_stage.record(pass, s.parameters.push(params(vertex_lanes)),
-                            std::uint64_t{batch.patch_count} << vertex_lanes);
-    pass.end();
-    s.clock.mark(encoder, StageId::vertices);
-    pass = encoder.begin_compute_pass();
-    s.indices_stage.record(pass, s.parameters.push(params(index_lanes)),
-                           std::uint64_t{batch.patch_count} << index_lanes);
-    pass.end();
-    s.clock.mark(encoder, StageId::indices);
+    const auto record = [&](StageId id, const Stage DomainStages::*stage, std::uint64_t elements) {
+        const std::uint32_t lanes = lanes_log2(s.device.info(), batch.patch_count, elements);
+        gpu::ComputePass pass = encoder.begin_compute_pass();
+        for (const DomainStages& d : s.domains) {
+            const auto [first, count] = d.entries(batch.first_patch, batch.patch_count);
+            if (count == 0) continue;
+            const kernels::EmitParams params{first, count, lanes, batch.first_vertex, batch.first_index, vertex_base,
+                                             s.stride()};
+            (d.*stage).record(pass, s.parameters.push(params), std::uint64_t{count} << lanes);
+        }
+        pass.end();
+        s.clock.mark(encoder, id);
+    };
+    record(StageId::vertices, &DomainStages::vertices, batch.vertex_count);
+    record(StageId::indices, &DomainStages::indices, batch.index_count / 3);
     s.clock.finish(encoder);
     s.parameters.upload(s.device);
     s.device.queue().submit(encoder.finish());
@@ -220,7 +276,7 @@ std::vector<StageView> Job::prepared_views() const {
     const std::uint64_t patches = s.plan.chunks[s.current_chunk].patch_count;
     return {
         {StageId::factors, s.counter.records(), patches * RECORD_WORDS * 4, false},
-        {StageId::control_nets, s.nets, patches * net_floats(s.options.scheme, s.options.normals) * 4, true},
+        {StageId::control_nets, s.nets, patches * s.stride() * 4, true},
         {StageId::counts, s.counter.counts(), patches * COUNT_WORDS * 4, false},
         {StageId::scan, s.counter.offsets(), (patches + 1) * COUNT_WORDS * 4, false},
     };
@@ -239,7 +295,7 @@ const StageTimes& Job::times() { return state_->clock.times(); }
 std::uint64_t Job::device_bytes() const {
     const State& s = *state_;
     std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes();
-    for (const gpu::Buffer* buffer : {&s.control_vertices, &s.patch_indices, &s.nets, &s.vertices, &s.indices}) {
+    for (const gpu::Buffer* buffer : {&s.control_vertices, &s.patch_corners, &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
         bytes += *buffer ? buffer->size() : 0;
     }
     return bytes;

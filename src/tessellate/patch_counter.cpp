@@ -17,9 +17,10 @@ std::uint64_t blocks(std::uint64_t count) { return (count + SCAN_BLOCK - 1) / SC
 }  // namespace
 
 PatchCounter::PatchCounter(gpu::Device& device, std::uint32_t capacity, bool factors_per_patch,
-                           ParameterRing& parameters)
+                           ParameterRing& parameters, const gpu::Buffer& patch_corners)
     : parameters_(parameters),
       factors_per_patch_(factors_per_patch),
+      domain_per_patch_(static_cast<bool>(patch_corners)),
       factors_(storage_buffer(device, "factors", std::uint64_t{factors_per_patch ? capacity : 1} * PATCH_FACTORS)),
       records_(storage_buffer(device, "patch records", std::uint64_t{capacity} * RECORD_WORDS)),
       zero_(storage_buffer(device, "scan base", COUNT_WORDS)) {
@@ -41,7 +42,7 @@ PatchCounter::PatchCounter(gpu::Device& device, std::uint32_t capacity, bool fac
             device, "scan_offsets", {levels_[i].values, top ? zero_ : levels_[i + 1].offsets, levels_[i].offsets},
             parameters);
     }
-    factors_stage_ = Stage(device, "factors", {factors_, records_}, parameters);
+    factors_stage_ = Stage(device, "factors", {factors_, patch_corners ? patch_corners : zero_, records_}, parameters);
     counts_stage_ = Stage(device, "counts", {records_, counts()}, parameters);
 }
 
@@ -51,8 +52,9 @@ void PatchCounter::upload_factors(gpu::Device& device, std::span<const PatchFact
 
 void PatchCounter::record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Domain domain,
                                   Partitioning partitioning, bool flip) {
-    const kernels::FactorsParams params{patch_count, static_cast<std::uint32_t>(partitioning),
-                                        static_cast<std::uint32_t>(domain), flip ? 1u : 0u, factors_per_patch_ ? 1u : 0u};
+    const std::uint32_t domain_word = domain_per_patch_ ? DOMAIN_PER_PATCH : static_cast<std::uint32_t>(domain);
+    const kernels::FactorsParams params{patch_count, static_cast<std::uint32_t>(partitioning), domain_word, flip ? 1u : 0u,
+                                        factors_per_patch_ ? 1u : 0u};
     factors_stage_.record(pass, parameters_.push(params), patch_count);
 }
 

@@ -10,11 +10,14 @@ namespace tessera {
 /// Holds the buffers of up to `capacity` patches on one device and runs the counting stages over them.
 class PatchCounter {
 public:
-    PatchCounter(gpu::Device& device, std::uint32_t capacity, bool factors_per_patch, ParameterRing& parameters);
+    /// `patch_corners` (four words per patch) tells the domain of each; without it, all have the one that
+    /// record_factors() is given.
+    PatchCounter(gpu::Device& device, std::uint32_t capacity, bool factors_per_patch, ParameterRing& parameters,
+                 const gpu::Buffer& patch_corners = {});
 
     /// Uploads factors: one set, or one per patch of the chunk, as `factors_per_patch` said.
     void upload_factors(gpu::Device& device, std::span<const PatchFactors> factors);
-    /// Records stage 1, factors -> records.
+    /// Records stage 1, factors -> records. `domain` counts where there are no patch corners.
     void record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Domain domain, Partitioning partitioning,
                         bool flip);
     /// Records stage 3, counts.
@@ -44,6 +47,7 @@ private:
 
     ParameterRing& parameters_;
     bool factors_per_patch_;
+    bool domain_per_patch_;
     gpu::Buffer factors_, records_, zero_;
     Stage factors_stage_, counts_stage_;
     std::vector<Level> levels_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace tessera {
 namespace {
@@ -36,13 +37,18 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
     std::vector<std::uint32_t> indices(total.index);
     if (total.vertex > 0) {
         const auto usage = BufferUsage::storage | BufferUsage::copy_source;
+        std::vector<std::uint32_t> every(count);
+        std::iota(every.begin(), every.end(), 0u);
+        const gpu::Buffer list = device.create_buffer(
+            {"patch list", std::uint64_t{count} * 4, BufferUsage::storage | BufferUsage::copy_destination});
+        device.queue().write_buffer(list, 0, std::as_bytes(std::span(every)));
         const gpu::Buffer point_buffer = device.create_buffer({"domain points", std::uint64_t{total.vertex} * 8, usage});
         const gpu::Buffer index_buffer = device.create_buffer({"indices", std::uint64_t{total.index} * 4, usage});
-        const Stage points_stage(device, fmt::format("domain_points_{}", name(domain)), {counter.records(), counter.offsets(), point_buffer}, parameters);
-        const Stage indices_stage(device, fmt::format("indices_{}", name(domain)), {counter.records(), counter.offsets(), index_buffer}, parameters);
+        const Stage points_stage(device, fmt::format("domain_points_{}", name(domain)), {counter.records(), counter.offsets(), list, point_buffer}, parameters);
+        const Stage indices_stage(device, fmt::format("indices_{}", name(domain)), {counter.records(), counter.offsets(), list, index_buffer}, parameters);
         const std::uint32_t lanes = lanes_log2(device.info(), count, total.vertex);
         parameters.reset();
-        const std::uint32_t emit = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0});
+        const std::uint32_t emit = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0});
         parameters.upload(device);
         encoder = device.create_command_encoder();
         pass = encoder.begin_compute_pass();

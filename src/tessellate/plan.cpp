@@ -13,22 +13,24 @@ namespace {
 constexpr std::uint64_t largest_patch_vertices = 4225;
 constexpr std::uint64_t largest_patch_indices = 3 * 8192;
 
-// Bytes per patch held while a chunk is worked on: patch indices, factors, record, counts, offsets, net. The scan's upper
-// levels add less than a hundredth.
-std::uint64_t chunk_bytes_per_patch(const TessellationOptions& options) {
-    return 3 * 4 + PATCH_FACTORS * 4 + RECORD_WORDS * 4 + 2 * COUNT_WORDS * 4 + 1 +
-           std::uint64_t{net_floats(options.scheme, options.normals)} * 4;
+// Bytes per patch held while a chunk is worked on: patch indices, list entry, factors, record, counts, offsets, net. The
+// scan's upper levels add less than a hundredth.
+std::uint64_t chunk_bytes_per_patch(std::uint64_t net_bytes) {
+    return (PATCH_CORNERS + 1 + PATCH_FACTORS + RECORD_WORDS + 2 * COUNT_WORDS) * 4 + 1 + net_bytes;
 }
 
 }  // namespace
 
-std::uint32_t net_floats(Scheme scheme, Normals normals) {
-    return NET_FLOATS(static_cast<std::uint32_t>(scheme) + 1u, static_cast<std::uint32_t>(normals) + 1u);
+std::uint32_t net_stride(const TessellationOptions& options, bool has_quads) {
+    const std::uint32_t degree = static_cast<std::uint32_t>(options.scheme) + 1u;
+    const std::uint32_t normal_degree = static_cast<std::uint32_t>(options.normals) + 1u;
+    return has_quads ? QUAD_NET_FLOATS(degree, normal_degree) : NET_FLOATS(degree, normal_degree);
 }
 
-JobPlan plan_job(std::uint64_t patch_count, std::uint64_t shared_bytes, const TessellationOptions& options,
+JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes, const TessellationOptions& options,
                  const gpu::Limits& limits) {
-    const std::uint64_t per_patch = chunk_bytes_per_patch(options);
+    const std::uint64_t net_bytes = std::uint64_t{net_stride(options, has_quads)} * 4;
+    const std::uint64_t per_patch = chunk_bytes_per_patch(net_bytes);
     constexpr std::uint64_t small_buffers = 64 << 10;  // kernel parameters, query results
     constexpr std::uint64_t patch_vertex_bytes = largest_patch_vertices * sizeof(Vertex);
     constexpr std::uint64_t patch_index_bytes = largest_patch_indices * 4;
@@ -40,7 +42,6 @@ JobPlan plan_job(std::uint64_t patch_count, std::uint64_t shared_bytes, const Te
     }
     const std::uint64_t binding = std::min(limits.max_storage_binding_size, limits.max_buffer_size);
     const std::uint64_t free_bytes = options.memory_budget - shared_bytes - small_buffers;
-    const std::uint64_t net_bytes = std::uint64_t{net_floats(options.scheme, options.normals)} * 4;
     const std::uint64_t by_budget = std::max<std::uint64_t>(1, free_bytes / 3 / per_patch);
     const std::uint64_t by_binding = binding / net_bytes;
     const std::uint64_t by_offsets = 0xffffffffull / largest_patch_indices;

@@ -41,13 +41,13 @@ struct JobPlan {
     std::uint64_t index_buffer_bytes = 0;   ///< likewise
 };
 
-/// Floats of one control net.
-std::uint32_t net_floats(Scheme scheme, Normals normals);
+/// Floats from one control net of a job to the next: what a quad needs where the job has quads, else a triangle.
+std::uint32_t net_stride(const TessellationOptions& options, bool has_quads);
 
 /// Cuts `patch_count` patches into chunks so that chunk buffers take about a third of the memory budget, fit a binding
 /// and have 32-bit offsets. `shared_bytes` is what the job holds besides (control vertices). Throws Error(usage)
 /// where the budget cannot hold a single patch, with the least budget that can.
-JobPlan plan_job(std::uint64_t patch_count, std::uint64_t shared_bytes, const TessellationOptions& options,
+JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes, const TessellationOptions& options,
                  const gpu::Limits& limits);
 
 /// Cuts a chunk into batches that fit the plan's buffers. `offsets` has one entry per patch and one for the totals.

@@ -1,9 +1,9 @@
-// Vertices of cubic surfaces with quadratic normals.
+// Vertices of cubic surfaces with quadratic normals on triangles.
 #include "emission.h"
 #include "schemes/basis.h"
 #include "tessellator/triangle.h"
 
-#define VERTICES_KERNEL vertices_cubic_quadratic
+#define VERTICES_KERNEL vertices_cubic_quadratic_triangle
 #define VERTICES_DEGREE 3
 #define VERTICES_NORMALS 2
 #include "schemes/vertices_kernel.h"

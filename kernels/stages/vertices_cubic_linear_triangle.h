@@ -1,9 +1,9 @@
-// Vertices of cubic surfaces with linear normals.
+// Vertices of cubic surfaces with linear normals on triangles.
 #include "emission.h"
 #include "schemes/basis.h"
 #include "tessellator/triangle.h"
 
-#define VERTICES_KERNEL vertices_cubic_linear
+#define VERTICES_KERNEL vertices_cubic_linear_triangle
 #define VERTICES_DEGREE 3
 #define VERTICES_NORMALS 1
 #include "schemes/vertices_kernel.h"

@@ -1,9 +1,9 @@
-// Vertices of quadratic surfaces with linear normals.
+// Vertices of linear surfaces with linear normals on triangles.
 #include "emission.h"
 #include "schemes/basis.h"
 #include "tessellator/triangle.h"
 
-#define VERTICES_KERNEL vertices_quadratic_linear
-#define VERTICES_DEGREE 2
+#define VERTICES_KERNEL vertices_linear_linear_triangle
+#define VERTICES_DEGREE 1
 #define VERTICES_NORMALS 1
 #include "schemes/vertices_kernel.h"

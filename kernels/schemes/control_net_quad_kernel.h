@@ -1,0 +1,79 @@
+// Stage 2 for quads, the kernel of every scheme: corners -> control net. An including file names the kernel and its scheme by
+// NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn: the degree) and NET_NORMALS (1 linear, 2 quadratic).
+// No include guard: every variant includes it once.
+KERNELS_BEGIN
+
+KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
+        WRITE(3, float, nets), UNIFORM(4, ControlNetsParams, params)) {
+    const ControlNetsParams p = LOAD_UNIFORM(params);
+    const uint item = ITEM;
+    if (item >= p.count) {
+        return;
+    }
+    const uint patch_index = patch_list[p.first + item];
+    const uint i0 = patch_indices[PATCH_CORNERS * patch_index];
+    const uint i1 = patch_indices[PATCH_CORNERS * patch_index + 1u];
+    const uint i2 = patch_indices[PATCH_CORNERS * patch_index + 2u];
+    const uint i3 = patch_indices[PATCH_CORNERS * patch_index + 3u];
+    QuadCorners corners;
+    LOAD_QUAD_CORNERS(corners, control_vertices, i0, i1, i2, i3);
+    const uint at = patch_index * p.net_stride;
+    STORE_VECTOR(nets, at, corners.p0);
+    STORE_VECTOR(nets, at + 3u, corners.p1);
+    STORE_VECTOR(nets, at + 6u, corners.p2);
+    STORE_VECTOR(nets, at + 9u, corners.p3);
+#if NET_SCHEME == 2
+    const PhongQuadNet net = phong_quad_net(corners, p.alpha);
+    STORE_VECTOR(nets, at + 12u, net.c01);
+    STORE_VECTOR(nets, at + 15u, net.c12);
+    STORE_VECTOR(nets, at + 18u, net.c23);
+    STORE_VECTOR(nets, at + 21u, net.c30);
+    STORE_VECTOR(nets, at + 24u, net.centre);
+#elif NET_SCHEME == 3
+    const PnQuadNet net = pn_quad_net(corners);
+    STORE_VECTOR(nets, at + 12u, net.c01);
+    STORE_VECTOR(nets, at + 15u, net.c10);
+    STORE_VECTOR(nets, at + 18u, net.c12);
+    STORE_VECTOR(nets, at + 21u, net.c21);
+    STORE_VECTOR(nets, at + 24u, net.c23);
+    STORE_VECTOR(nets, at + 27u, net.c32);
+    STORE_VECTOR(nets, at + 30u, net.c30);
+    STORE_VECTOR(nets, at + 33u, net.c03);
+    STORE_VECTOR(nets, at + 36u, net.inner0);
+    STORE_VECTOR(nets, at + 39u, net.inner1);
+    STORE_VECTOR(nets, at + 42u, net.inner2);
+    STORE_VECTOR(nets, at + 45u, net.inner3);
+#endif
+    const uint normals = at + 3u * QUAD_NET_POINTS(NET_SCHEME);
+    STORE_VECTOR(nets, normals, corners.n0);
+    STORE_VECTOR(nets, normals + 3u, corners.n1);
+    STORE_VECTOR(nets, normals + 6u, corners.n2);
+    STORE_VECTOR(nets, normals + 9u, corners.n3);
+#if NET_NORMALS == 2
+    const Vector n01 = edge_normal(corners.p0, corners.n0, corners.p1, corners.n1);
+    const Vector n12 = edge_normal(corners.p1, corners.n1, corners.p2, corners.n2);
+    const Vector n23 = edge_normal(corners.p2, corners.n2, corners.p3, corners.n3);
+    const Vector n30 = edge_normal(corners.p3, corners.n3, corners.p0, corners.n0);
+    const Vector middle = normalise(add(add(n01, n23), add(n12, n30)), make_vector(0.0f, 0.0f, 0.0f));
+    STORE_VECTOR(nets, normals + 12u, n01);
+    STORE_VECTOR(nets, normals + 15u, n12);
+    STORE_VECTOR(nets, normals + 18u, n23);
+    STORE_VECTOR(nets, normals + 21u, n30);
+    STORE_VECTOR(nets, normals + 24u, middle);
+#endif
+    const uint uvs = normals + 3u * QUAD_NET_POINTS(NET_NORMALS);
+    nets[uvs] = control_vertices[i0 * VERTEX_FLOATS + 6u];
+    nets[uvs + 1u] = control_vertices[i0 * VERTEX_FLOATS + 7u];
+    nets[uvs + 2u] = control_vertices[i1 * VERTEX_FLOATS + 6u];
+    nets[uvs + 3u] = control_vertices[i1 * VERTEX_FLOATS + 7u];
+    nets[uvs + 4u] = control_vertices[i2 * VERTEX_FLOATS + 6u];
+    nets[uvs + 5u] = control_vertices[i2 * VERTEX_FLOATS + 7u];
+    nets[uvs + 6u] = control_vertices[i3 * VERTEX_FLOATS + 6u];
+    nets[uvs + 7u] = control_vertices[i3 * VERTEX_FLOATS + 7u];
+}
+
+KERNELS_END
+
+#undef NET_KERNEL
+#undef NET_SCHEME
+#undef NET_NORMALS

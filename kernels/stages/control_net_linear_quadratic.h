@@ -1,7 +1,0 @@
-// Control nets of the scheme linear with quadratic normals.
-#include "schemes/linear.h"
-
-#define NET_KERNEL control_net_linear_quadratic
-#define NET_SCHEME 1
-#define NET_NORMALS 2
-#include "schemes/control_net_kernel.h"

@@ -1,0 +1,7 @@
+// Control nets of the scheme phong with linear normals on quads.
+#include "schemes/phong_quad.h"
+
+#define NET_KERNEL control_net_phong_linear_quad
+#define NET_SCHEME 2
+#define NET_NORMALS 1
+#include "schemes/control_net_quad_kernel.h"

@@ -1,7 +1,0 @@
-// Control nets of the scheme pn with quadratic normals.
-#include "schemes/pn.h"
-
-#define NET_KERNEL control_net_pn_quadratic
-#define NET_SCHEME 3
-#define NET_NORMALS 2
-#include "schemes/control_net_kernel.h"

@@ -1,9 +1,0 @@
-// Vertices of linear surfaces with linear normals.
-#include "emission.h"
-#include "schemes/basis.h"
-#include "tessellator/triangle.h"
-
-#define VERTICES_KERNEL vertices_linear_linear
-#define VERTICES_DEGREE 1
-#define VERTICES_NORMALS 1
-#include "schemes/vertices_kernel.h"
