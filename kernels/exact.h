@@ -16,8 +16,8 @@ FUNCTION float flush_tiny(float x) {
     return (float_bits(x) & 0x7fffffffu) < TINY_BITS ? 0.0f : x;
 }
 
-/// 1/x within 1 ULP for 2^-126 <= |x| <= 2^126. Beyond: 0 and denormals give an infinity, greater magnitudes and
-/// infinities give 0, each with the sign of x; NaN gives NaN.
+/// 1/x within 1.25 ULP for 2^-126 <= |x| <= 2^126: at most one float away from the correctly rounded result. Beyond: 0
+/// and denormals give an infinity, greater magnitudes and infinities give 0, each with the sign of x; NaN gives NaN.
 FUNCTION float exact_reciprocal(float x) {
     const uint bits = float_bits(x);
     const uint sign = bits & 0x80000000u;
@@ -37,8 +37,8 @@ FUNCTION float exact_reciprocal(float x) {
     return bits_float(sign | (exponent == 0u || exponent == 255u ? special : finite));
 }
 
-/// 1/sqrt(x) within 2 ULP for normal x > 0. 0 and denormals give +infinity, infinity gives 0, NaN and negative numbers
-/// give NaN.
+/// 1/sqrt(x) within 1.22 ULP for normal x > 0: at most one float away from the correctly rounded result. 0 and denormals
+/// give +infinity, infinity gives 0, NaN and negative numbers give NaN.
 FUNCTION float exact_rsqrt(float x) {
     const uint bits = float_bits(x);
     const uint exponent = (bits >> 23u) & 0xffu;
@@ -54,7 +54,7 @@ FUNCTION float exact_rsqrt(float x) {
     return bits_float(exponent == 0u || bits >= 0x7f800000u ? special : result);
 }
 
-/// a/b within 3 ULP where b is as in exact_reciprocal and neither a nor the quotient is denormal or overflows.
+/// a/b within 2.17 ULP where b is as in exact_reciprocal and neither a nor the quotient is denormal or overflows.
 FUNCTION float exact_divide(float a, float b) {
     return a * exact_reciprocal(b);
 }

@@ -42,7 +42,9 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
     }
     const std::uint64_t binding = std::min(limits.max_storage_binding_size, limits.max_buffer_size);
     const std::uint64_t free_bytes = options.memory_budget - shared_bytes - small_buffers;
-    const std::uint64_t by_budget = std::max<std::uint64_t>(1, free_bytes / 3 / per_patch);
+    const std::uint64_t least_output = patch_vertex_bytes + patch_index_bytes;
+    const std::uint64_t by_budget =
+        std::max<std::uint64_t>(1, std::min(free_bytes / 3, free_bytes - least_output) / per_patch);
     const std::uint64_t by_binding = binding / net_bytes;
     const std::uint64_t by_offsets = 0xffffffffull / largest_patch_indices;
     const std::uint64_t chunk = std::min({by_budget, by_binding, by_offsets, patch_count});
@@ -52,10 +54,12 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
         plan.chunks.push_back({first, static_cast<std::uint32_t>(std::min(chunk, patch_count - first))});
     }
     plan.largest_chunk = static_cast<std::uint32_t>(chunk);
-    // A patch has about as many bytes of vertices as of indices in the limit; the smaller share is three eighths.
+    // A patch has about as many bytes of vertices as of indices in the limit, so each gets half, but never less than the
+    // largest patch needs.
     const std::uint64_t output = free_bytes - chunk * per_patch;
-    plan.vertex_buffer_bytes = std::min(binding, std::max(patch_vertex_bytes, output / 2)) / sizeof(Vertex) * sizeof(Vertex);
-    plan.index_buffer_bytes = std::min(binding, std::max(patch_index_bytes, output - plan.vertex_buffer_bytes)) / 12 * 12;
+    const std::uint64_t vertex_share = std::clamp(output / 2, patch_vertex_bytes, output - patch_index_bytes);
+    plan.vertex_buffer_bytes = std::min(binding, vertex_share) / sizeof(Vertex) * sizeof(Vertex);
+    plan.index_buffer_bytes = std::min(binding, output - plan.vertex_buffer_bytes) / 12 * 12;
     return plan;
 }
 

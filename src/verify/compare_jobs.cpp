@@ -96,8 +96,10 @@ std::vector<DeviceComparison> compare_jobs(std::vector<gpu::Device> devices, con
             batches = batches == nullptr ? &own : batches;
         }
         compare_views(runners, results, &Job::prepared_views);
-        if (!std::ranges::all_of(results, &DeviceComparison::equal)) {
-            return results;  // other counts would make other batches
+        if (!std::ranges::all_of(results, [](const DeviceComparison& result) {
+                return result.stages[static_cast<std::size_t>(StageId::scan)].differing == 0;
+            })) {
+            return results;  // other offsets make other batches
         }
         for (std::size_t b = 0; b < batches->size(); ++b) {
             for (Runner& runner : runners) {

@@ -1,0 +1,121 @@
+// Every loadable model, every scheme and every partitioning gives the same bits on every device of this machine.
+#include "tessellate/models.hpp"
+#include "scene/scene.hpp"
+#include "support/devices.hpp"
+#include "support/environment.hpp"
+#include "tessellate/edge_factors.hpp"
+#include "verify/compare_jobs.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <fstream>
+
+namespace tessera {
+namespace {
+
+constexpr Partitioning partitionings[] = {Partitioning::integer, Partitioning::pow2, Partitioning::fractional_odd,
+                                          Partitioning::fractional_even, Partitioning::uniform};
+
+void expect_equal(const patches::PatchSet& set, const TessellationOptions& options) {
+    const auto results = verify::compare_jobs(test::open_every_device(), set, options);
+    for (const verify::DeviceComparison& result : results) {
+        for (std::size_t s = 0; s < stage_count; ++s) {
+            const verify::StageComparison& stage = result.stages[s];
+            EXPECT_GT(stage.words, 0u) << name(static_cast<StageId>(s));
+            EXPECT_EQ(stage.differing, 0u) << result.device.id << ", " << name(static_cast<StageId>(s)) << ", "
+                                           << (stage.first ? verify::describe(*stage.first) : "");
+        }
+    }
+}
+
+/// The glTF files that the MANIFEST of the shared models says can be loaded and that hold triangles.
+std::vector<std::string> loadable_models() {
+    const auto shared = test::shared_folder();
+    std::vector<std::string> files;
+    if (!shared) {
+        return files;
+    }
+    std::ifstream manifest(*shared / "models/MANIFEST.md");
+    for (std::string line; std::getline(manifest, line) && !line.starts_with("## Broken");) {
+        if (!line.starts_with("| `") || line.find("| load") == std::string::npos) {
+            continue;
+        }
+        const std::string file = line.substr(3, line.find('`', 3) - 3);
+        const bool gltf = file.ends_with(".gltf") || file.ends_with(".glb");
+        if (gltf && line.find("| 0 / 0 / 0 |") == std::string::npos) {
+            files.push_back(file);
+        }
+    }
+    return files;
+}
+
+bool is_large(const patches::PatchSet& set) {
+    return set.patch_count() > 100'000;
+}
+
+class Model : public testing::TestWithParam<std::string> {};
+
+TEST_P(Model, HasTheSameBitsOnEveryDevice) {
+    TESSERA_SHARED_OR_SKIP(shared);
+    const patches::PatchSet set = test::load_patches((shared / "models" / GetParam()).string());
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+        for (const Partitioning partitioning : partitionings) {
+            if (is_large(set) && (scheme != Scheme::pn || partitioning != Partitioning::fractional_odd)) {
+                continue;
+            }
+            SCOPED_TRACE(fmt::format("{} {}", name(scheme), name(partitioning)));
+            TessellationOptions options;
+            options.scheme = scheme;
+            options.partitioning = partitioning;
+            // Both kinds of normals, in turn.
+            options.normals = (static_cast<int>(scheme) + static_cast<int>(partitioning)) % 2 == 0 ? Normals::quadratic
+                                                                                                   : Normals::linear;
+            // Large models once, with few triangles each; mid-sized ones with smaller factors than small ones.
+            const float greatest = is_large(set) ? 1.2f : (set.patch_count() > 3000 ? 2.0f : 4.0f);
+            options.factors = random_edge_factors(set, 1.0f, greatest, 9);
+            expect_equal(set, options);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, Model, testing::ValuesIn(loadable_models()), [](const auto& info) {
+    std::string word = info.param;
+    std::ranges::replace_if(
+        word, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return word;
+});
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Model);
+
+TEST(Models, AreThere) {
+    TESSERA_SHARED_OR_SKIP(shared);
+    EXPECT_GE(loadable_models().size(), 20u) << "the MANIFEST was not understood";
+}
+
+// Without any file: shapes with large factors and every combination of scheme, normals and partitioning.
+TEST(Shapes, HaveTheSameBitsOnEveryDevice) {
+    const patches::PatchSet set = test::load_patches("shape:icosahedron");
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+        for (const Normals normals : {Normals::linear, Normals::quadratic}) {
+            for (const Partitioning partitioning : partitionings) {
+                SCOPED_TRACE(fmt::format("{} {} {}", name(scheme), name(normals), name(partitioning)));
+                TessellationOptions options;
+                options.scheme = scheme;
+                options.normals = normals;
+                options.partitioning = partitioning;
+                options.factors = random_edge_factors(set, 0.5f, 66.0f, 4);
+                expect_equal(set, options);
+            }
+        }
+    }
+}
+
+TEST(Shapes, BatchesHaveTheSameBitsOnEveryDevice) {
+    const patches::PatchSet set = test::load_patches("shape:sphere:12");
+    TessellationOptions options;
+    options.factors = random_edge_factors(set, 1.0f, 12.0f, 4);
+    options.memory_budget = 1 << 20;
+    expect_equal(set, options);
+}
+
+}  // namespace
+}  // namespace tessera
