@@ -96,8 +96,7 @@ TEST(Patches, RangesFollowTheMeshes) {
     EXPECT_EQ(set.patch_count(), 193u);
     // Indices of the second mesh count on from the vertices of the first.
     const auto base = static_cast<std::uint32_t>(torus.meshes[0].positions.size());
-    EXPECT_EQ(set.indices[3 * 192], base);
-    EXPECT_EQ(set.indices[3 * 192 + 2], base + 2);
+    EXPECT_EQ(set.corners[192], (PatchCorners{base, base + 1, base + 2, no_corner}));
     EXPECT_EQ(set.control_vertices.size(), base + 3u);
 }
 
@@ -107,7 +106,7 @@ TEST(Patches, NothingToTessellateIsRefused) {
         FAIL() << "was accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_STREQ(error.what(), "test.glb holds no triangles, so there is nothing to tessellate.");
+        EXPECT_STREQ(error.what(), "test.glb holds no triangles or quads, so there is nothing to tessellate.");
     }
 }
 

@@ -124,7 +124,7 @@ TEST(EdgeFactors, AgreeAcrossSharedEdgesAndDifferElsewhere) {
     std::map<std::vector<float>, std::vector<float>> by_edge;  // ends in canonical order -> the factors of its patches
     for (std::size_t p = 0; p < factors.size(); ++p) {
         const auto position = [&](std::size_t k) {
-            const Vertex& v = set.control_vertices[set.indices[3 * p + k % 3]];
+            const Vertex& v = set.control_vertices[set.corners[p][k % 3]];
             return std::vector<float>(v.position, v.position + 3);
         };
         for (std::size_t edge = 0; edge < 3; ++edge) {

@@ -62,7 +62,7 @@ TEST_P(Jobs, ScanChunksOfAnySize) {
     const patches::PatchSet whole = test::load_patches("shape:sphere:92");  // 67,712 patches
     for (const std::size_t count : {1u, 2u, 255u, 256u, 257u, 511u, 513u, 65535u, 65536u, 65537u}) {
         patches::PatchSet set = whole;
-        set.indices.resize(3 * count);
+        set.corners.resize(count);
         TessellationOptions options;
         options.factors = random_edge_factors(set, 0.5f, 4.0f, 5);
         Job job(device, set, options, device.limits());

@@ -19,7 +19,7 @@ using glm::dvec3;
 test::PaperPatch corners_of(const patches::PatchSet& set, std::size_t patch) {
     test::PaperPatch result;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vertex& v = set.control_vertices[set.indices[3 * patch + k]];
+        const Vertex& v = set.control_vertices[set.corners[patch][k]];
         result.p[k] = {v.position[0], v.position[1], v.position[2]};
         result.n[k] = {v.normal[0], v.normal[1], v.normal[2]};
     }
@@ -55,9 +55,10 @@ TEST_P(Output, IsThatOfThePapers) {
     for (std::uint32_t i = 0; i < 40; ++i) {
         const kernels::Corners c = test::random_corners(i);
         const auto add = [&](const kernels::Vector& p, const kernels::Vector& n, float u, float v) {
-            set.indices.push_back(static_cast<std::uint32_t>(set.control_vertices.size()));
             set.control_vertices.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {u, v}});
         };
+        const auto first = static_cast<std::uint32_t>(set.control_vertices.size());
+        set.corners.push_back({first, first + 1, first + 2, patches::no_corner});
         add(c.p0, c.n0, 0.1f, 0.2f);
         add(c.p1, c.n1, 0.9f, 0.3f);
         add(c.p2, c.n2, 0.4f, 0.8f);
@@ -110,7 +111,7 @@ TEST(Output, TinyMagnitudesAreZero) {
     set.control_vertices = {{{0x1p-59f, -0x1p-59f, 1.0f}, {0, 0, 1}, {-0x1p-60f, 0x1p-60f}},
                             {{0.0f, 0.0f, 1.0f}, {0, 0, 1}, {0, 0}},
                             {{0.0f, -0x1p-60f, 0.5f}, {0, 0, 1}, {0, 0}}};
-    set.indices = {0, 1, 2};
+    set.corners = {{0, 1, 2, patches::no_corner}};
     set.ranges.push_back({"patch", 0, 0, 1});
     for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
         TessellationOptions options;

@@ -21,11 +21,11 @@ TessellationOptions with_budget(std::uint64_t bytes, Scheme scheme = Scheme::pn)
 }
 
 /// The least budget, out of the refusal of a smaller one.
-std::uint64_t least_budget(std::uint64_t shared_bytes, const TessellationOptions& options) {
+std::uint64_t least_budget(std::uint64_t shared_bytes, const TessellationOptions& options, bool has_quads = false) {
     try {
         TessellationOptions poor = options;
         poor.memory_budget = 1;
-        plan_job(10, shared_bytes, poor, {});
+        plan_job(10, has_quads, shared_bytes, poor, {});
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
         const std::string sentence = error.what();
@@ -38,8 +38,8 @@ std::uint64_t least_budget(std::uint64_t shared_bytes, const TessellationOptions
 TEST(PlanJob, TheLeastBudgetNamedWorksAndOneByteLessDoesNot) {
     for (const std::uint64_t shared : {0ull, 4096ull, 100'000'000ull}) {
         const std::uint64_t least = least_budget(shared, with_budget(0));
-        EXPECT_NO_THROW(plan_job(10, shared, with_budget(least), {}));
-        EXPECT_THROW(plan_job(10, shared, with_budget(least - 1), {}), Error);
+        EXPECT_NO_THROW(plan_job(10, false, shared, with_budget(least), {}));
+        EXPECT_THROW(plan_job(10, false, shared, with_budget(least - 1), {}), Error);
     }
 }
 
@@ -49,11 +49,12 @@ RC_GTEST_PROP(PlanJob, ChunksCoverEveryPatchWithinTheLimits, ()) {
     const auto scheme = *rc::gen::element(Scheme::linear, Scheme::phong, Scheme::pn);
     gpu::Limits limits;
     limits.max_storage_binding_size = *rc::gen::inRange<std::uint64_t>(1 << 20, 1 << 30);
-    const std::uint64_t least = least_budget(shared, with_budget(0, scheme));
+    const auto has_quads = *rc::gen::arbitrary<bool>();
+    const std::uint64_t least = least_budget(shared, with_budget(0, scheme), has_quads);
     // Near the least budget the largest patch takes most of it.
     const auto extra = *rc::gen::inRange<std::uint64_t>(0, *rc::gen::element(10'000, 1'000'000, 2'000'000'000));
     const TessellationOptions options = with_budget(least + extra, scheme);
-    const JobPlan plan = plan_job(patch_count, shared, options, limits);
+    const JobPlan plan = plan_job(patch_count, has_quads, shared, options, limits);
     std::uint64_t next = 0;
     for (const Chunk& chunk : plan.chunks) {
         RC_ASSERT(chunk.first_patch == next);
@@ -62,7 +63,7 @@ RC_GTEST_PROP(PlanJob, ChunksCoverEveryPatchWithinTheLimits, ()) {
         next += chunk.patch_count;
     }
     RC_ASSERT(next == patch_count);
-    const std::uint64_t net_bytes = std::uint64_t{net_floats(options.scheme, options.normals)} * 4;
+    const std::uint64_t net_bytes = std::uint64_t{net_stride(options, has_quads)} * 4;
     RC_ASSERT(plan.largest_chunk * net_bytes <= limits.max_storage_binding_size);
     RC_ASSERT(plan.largest_chunk * 3ull * 8192 <= 0xffffffffull);
     RC_ASSERT(plan.vertex_buffer_bytes <= limits.max_storage_binding_size);
