@@ -18,7 +18,8 @@ struct PatchRange {
     std::uint64_t patch_count = 0;
 };
 
-/// Triangle patches over shared control vertices, in the order of the scene's meshes.
+/// Triangle patches over shared control vertices, in the order of the scene's meshes; of each, triangles before quads. A
+/// quad becomes two triangles over its shorter diagonal.
 struct PatchSet {
     std::vector<Vertex> control_vertices;  ///< positions times 2^-exponent
     std::vector<std::uint32_t> indices;    ///< three per patch
