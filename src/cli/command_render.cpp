@@ -20,6 +20,7 @@ namespace {
 struct Words {
     std::string input, output, device = "reference";
     JobWords job;
+    LoadWords load;
     std::string size = "1024x1024";
     std::vector<double> camera;
     std::string shading = "phong";
@@ -70,9 +71,9 @@ int run(const Context& context, const Words& words) {
         frame.background = glm::vec4(0.0f);
     }
     const render::View view = parse_view(words.camera);
-    scene::Scene scene = load(context, words.input);
+    scene::Scene scene = load(context, words.input, words.load);
     // What blends is drawn last, over what is behind it.
-    std::ranges::stable_partition(scene.meshes, [&](const scene::Mesh& mesh) {
+    std::stable_partition(scene.meshes.begin(), scene.meshes.end(), [&](const scene::Mesh& mesh) {
         return scene.materials[mesh.material].alpha_mode != scene::AlphaMode::blend;
     });
     const patches::PatchSet patches = patches::make_patches(scene);
@@ -103,7 +104,7 @@ void add_render_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
     CLI::App* command = app.add_subcommand("render", "Tessellate a model and draw it into a PNG");
     command->footer("Example: tessera render fox.glb -o fox.png --factor 8 --camera 40,15 --size 1280x960");
-    command->add_option("input", words->input, "A .gltf or .glb file, or a built-in shape such as shape:torus")->required();
+    command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")->required();
     command->add_option("-o,--output", words->output, "The PNG to write")->required();
     command->add_option("--device", words->device, "Where to tessellate: reference, vulkan[:index or name] or "
                                                    "opencl[:index or name]")->capture_default_str();
@@ -113,6 +114,7 @@ void add_render_command(CLI::App& app, Context& context) {
         ->delimiter(',')->expected(1, 4);
     command->add_option("--shading", words->shading, "phong, normals or wireframe")->capture_default_str();
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
+    add_load_options(*command, words->load);
     add_job_options(*command, words->job);
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }

@@ -18,6 +18,7 @@ namespace {
 struct Words {
     std::string input, output, device = "reference";
     JobWords job;
+    LoadWords load;
     bool json = false;
 };
 
@@ -59,7 +60,7 @@ void report(const Context& context, const Words& words, const gpu::DeviceInfo& d
 int run(const Context& context, const Words& words) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const scene::Scene scene = load(context, words.input);
+    const scene::Scene scene = load(context, words.input, words.load);
     const patches::PatchSet patches = patches::make_patches(scene);
     const TessellationOptions options = resolve(words.job, patches);
     gpu::Device device = backends::open_device(words.device);
@@ -81,11 +82,12 @@ void add_tessellate_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
     CLI::App* command = app.add_subcommand("tessellate", "Refine a model and write it as .glb, .obj or .ply");
     command->footer("Example: tessera tessellate fox.glb -o smooth.glb --scheme pn --factor 8 --device opencl");
-    command->add_option("input", words->input, "A .gltf or .glb file, or a built-in shape such as shape:torus")->required();
+    command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")->required();
     command->add_option("-o,--output", words->output, "The file to write: .glb, .obj or .ply")->required();
     command->add_option("--device", words->device, "reference, vulkan[:index or name] or opencl[:index or name]")
         ->capture_default_str();
     command->add_flag("--json", words->json, "Print counts and times as JSON on stdout");
+    add_load_options(*command, words->load);
     add_job_options(*command, words->job);
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }

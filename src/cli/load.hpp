@@ -1,11 +1,22 @@
-// Loading a model for a command: messages are said, a model without triangles is an error.
+// Loading a model for a command: messages are said, a model without faces is an error (of make_patches).
 #pragma once
 
 #include "cli/command.hpp"
 #include "scene/scene.hpp"
 
+#include <CLI/CLI.hpp>
+#include <string>
+
 namespace tessera::cli {
 
-scene::Scene load(const Context& context, const std::string& input);
+/// Raw words of the options about input.
+struct LoadWords {
+    std::string ngons = "split";
+};
+
+void add_load_options(CLI::App& command, LoadWords& words);
+
+/// Throws Error(usage) for words that make no sense and for files that cannot be read.
+scene::Scene load(const Context& context, const std::string& input, const LoadWords& words);
 
 }  // namespace tessera::cli

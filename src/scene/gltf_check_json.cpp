@@ -11,7 +11,8 @@ namespace tessera::scene {
 namespace {
 
 constexpr std::int64_t int_max = JsonObject::int_max;
-constexpr std::array<std::string_view, 2> supported_extensions{"KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 3> supported_extensions{"FB_ngon_encoding", "KHR_mesh_quantization",
+                                                               "KHR_texture_transform"};
 
 struct Sizes {
     std::size_t accessors, buffers, buffer_views, images, materials, meshes, nodes, samplers, scenes, skins, textures;
@@ -96,6 +97,8 @@ void check_primitive(JsonObject& primitive, const Sizes& sizes, const std::vecto
     primitive.reference("material", sizes.materials);
     primitive.integer("mode", 0, 6);
     primitive.reference_maps("targets", sizes.accessors);
+    primitive.object("extensions",
+                     [](JsonObject& extensions) { extensions.object("FB_ngon_encoding", [](JsonObject&) {}); });
 }
 
 void check_node(JsonObject& node, const Sizes& sizes) {

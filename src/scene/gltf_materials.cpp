@@ -1,14 +1,13 @@
 #include "scene/gltf_materials.hpp"
 
-#include "base/error.hpp"
 #include "scene/file_bytes.hpp"
 #include "scene/gltf_accessor.hpp"
+#include "scene/image_store.hpp"
 #include "scene/limits.hpp"
 #include "scene/uri.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -33,21 +32,9 @@ FileBytes encoded_image(const Document& document, const ImageSource& source) {
     return file;
 }
 
-/// The type by content: what files say about it is often wrong.
-std::string mime_type(const std::vector<std::byte>& bytes) {
-    const auto starts_with = [&](const auto& magic) {
-        return bytes.size() >= magic.size() &&
-               std::equal(magic.begin(), magic.end(), bytes.begin(),
-                          [](unsigned char a, std::byte b) { return std::byte{a} == b; });
-    };
-    if (starts_with(std::array<unsigned char, 4>{0x89, 'P', 'N', 'G'})) return "image/png";
-    if (starts_with(std::array<unsigned char, 3>{0xff, 0xd8, 0xff})) return "image/jpeg";
-    return "";
-}
-
 class ImageLoader {
 public:
-    ImageLoader(const Document& document, Scene& scene) : document_(document), scene_(scene) {}
+    ImageLoader(const Document& document, Scene& scene) : document_(document), store_(scene, document.diagnostics) {}
 
     /// The place of a file's image among the scene's, loading it at first use.
     std::optional<std::uint32_t> load(int source) {
@@ -57,40 +44,17 @@ public:
     }
 
 private:
-    std::optional<std::uint32_t> drop(int source, const std::string& reason) {
-        document_.diagnostics.note(fmt::format("images[{}] {}: it is left out.", source, reason));
-        return std::nullopt;
-    }
-
     std::optional<std::uint32_t> load_new(int source) {
         const ImageSource& from = document_.images[static_cast<std::size_t>(source)];
+        const std::string element = fmt::format("images[{}]", source);
         FileBytes file = encoded_image(document_, from);
-        if (file.problem) return drop(source, *file.problem);
-        SceneImage image;
-        image.mime_type = mime_type(file.bytes);
-        if (image.mime_type.empty()) return drop(source, "is neither PNG nor JPEG");
-        image.name = from.name.empty() ? fmt::format("images[{}]", source) : from.name;
-        image.encoded = std::move(file.bytes);
-        try {
-            image.pixels = image::decode(image.encoded, fmt::format("images[{}]", source));
-        } catch (const Error& error) {
-            return drop(source, fmt::format("cannot be decoded ({})", error.what()));
-        }
-        decoded_bytes_ += image.pixels.rgba.size();
-        if (decoded_bytes_ > max_image_bytes) {
-            document_.diagnostics.refuse(fmt::format("images[{}]", source),
-                                         fmt::format("brings the decoded images to {} bytes, more than the {} "
-                                                     "supported",
-                                                     decoded_bytes_, max_image_bytes));
-        }
-        scene_.images.push_back(std::move(image));
-        return static_cast<std::uint32_t>(scene_.images.size() - 1);
+        if (file.problem) return store_.drop(element, *file.problem);
+        return store_.add(std::move(file.bytes), from.name.empty() ? element : from.name, element);
     }
 
     const Document& document_;
-    Scene& scene_;
+    ImageStore store_;
     std::map<int, std::optional<std::uint32_t>> loaded_;
-    std::uint64_t decoded_bytes_ = 0;
 };
 
 float unit_range(const Document& document, double value, const std::string& element) {

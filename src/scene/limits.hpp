@@ -13,6 +13,10 @@ inline constexpr int max_json_depth = 64;                      ///< nesting of t
 inline constexpr std::uint64_t max_elements = 1u << 20;        ///< entries of one glTF array
 inline constexpr std::uint64_t max_vertices = 1u << 26;        ///< of a scene, instances counted
 inline constexpr std::uint64_t max_triangles = 1u << 26;       ///< of a scene, instances counted
+inline constexpr std::uint64_t max_obj_bytes = 1u << 30;       ///< OBJ text
+inline constexpr std::uint64_t max_mtl_bytes = 16u << 20;      ///< text of one material library
+inline constexpr std::uint64_t max_corners = 1u << 26;         ///< of all OBJ faces together
+inline constexpr std::uint64_t max_face_corners = 4096;        ///< of one OBJ face; ear clipping is quadratic in it
 inline constexpr std::uint64_t max_zero_elements = 1u << 24;   ///< of an accessor that has no data of its own
 inline constexpr std::uint64_t max_image_bytes = 0x80000000;   ///< decoded pixels of a scene
 

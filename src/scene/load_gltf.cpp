@@ -5,6 +5,7 @@
 #include "scene/gltf_container.hpp"
 #include "scene/gltf_document.hpp"
 #include "scene/gltf_materials.hpp"
+#include "scene/gltf_ngons.hpp"
 #include "scene/gltf_skin.hpp"
 #include "scene/json_object.hpp"
 #include "scene/limits.hpp"
@@ -139,6 +140,7 @@ private:
                 continue;
             }
             baked.name = name_of(node, mesh, source);
+            if (has_ngon_encoding(*source.primitive)) restore_quads(baked);
             baked.material = material_of(source);
             scene_.meshes.push_back(std::move(baked));
         }

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "scene/diagnostics.hpp"
 #include "scene/load_gltf.hpp"
+#include "scene/load_obj.hpp"
 #include "scene/scene.hpp"
 #include "scene/shapes.hpp"
 
@@ -20,18 +21,14 @@ std::string lower_case_extension(const std::filesystem::path& path) {
 
 }  // namespace
 
-Scene load_scene(const std::string& name) {
+Scene load_scene(const std::string& name, const LoadOptions& options) {
     if (is_shape(name)) return make_shape(name);
     const std::filesystem::path path(name);
     const std::string extension = lower_case_extension(path);
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
-    if (extension == ".obj") {
-        throw Error(ErrorKind::usage, fmt::format("{}: OBJ files cannot be read yet; convert the model to glTF (.glb "
-                                                  "or .gltf).",
-                                                  name));
-    }
-    throw Error(ErrorKind::usage, fmt::format("{}: the extension {} is not known; .gltf and .glb files and shape:NAME "
-                                              "can be read.",
+    if (extension == ".obj") return load_obj(path, options);
+    throw Error(ErrorKind::usage, fmt::format("{}: the extension {} is not known; .gltf, .glb and .obj files and "
+                                              "shape:NAME can be read.",
                                               name, in_quotes(extension)));
 }
 

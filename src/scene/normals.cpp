@@ -29,24 +29,32 @@ double angle(const glm::dvec3& a, const glm::dvec3& b) {
 
 using Sums = std::unordered_map<glm::vec3, glm::dvec3, PositionHash>;
 
-void add_triangle(const Mesh& mesh, std::size_t first, Sums& sums) {
-    glm::dvec3 corner[3];
-    Sums::iterator sum[3];
+/// The direction a face looks into. For a quad that of the cross product of its diagonals, its vector area.
+template <std::size_t N>
+glm::dvec3 face_normal(const glm::dvec3 (&corner)[N]) {
+    if constexpr (N == 3) return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    return glm::cross(corner[2] - corner[0], corner[N - 1] - corner[1]);
+}
+
+template <std::size_t N>
+void add_face(const Mesh& mesh, const std::uint32_t* indices, Sums& sums) {
+    glm::dvec3 corner[N];
+    Sums::iterator sum[N];
     bool wanted = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::vec3& position = mesh.positions[mesh.triangles[first + i]];
+    for (std::size_t i = 0; i < N; ++i) {
+        const glm::vec3& position = mesh.positions[indices[i]];
         corner[i] = position;
         sum[i] = sums.find(position);
         wanted = wanted || sum[i] != sums.end();
     }
     if (!wanted) return;
     // Positions are floats, so squares of their differences fit a double with room to spare at either end.
-    const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const glm::dvec3 normal = face_normal(corner);
     const double length = glm::length(normal);
     if (!(length > 0.0)) return;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < N; ++i) {
         if (sum[i] == sums.end()) continue;
-        sum[i]->second += normal / length * angle(corner[(i + 1) % 3] - corner[i], corner[(i + 2) % 3] - corner[i]);
+        sum[i]->second += normal / length * angle(corner[(i + 1) % N] - corner[i], corner[(i + N - 1) % N] - corner[i]);
     }
 }
 
@@ -69,7 +77,9 @@ void complete_normals(std::span<Mesh> meshes) {
     if (sums.empty()) return;
     for (const Mesh& mesh : meshes) {
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
-            add_triangle(mesh, i, sums);
+            add_face<3>(mesh, &mesh.triangles[i], sums);
+        for (std::size_t i = 0; i < mesh.quads.size(); i += 4)
+            add_face<4>(mesh, &mesh.quads[i], sums);
     }
     for (Mesh& mesh : meshes) {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -79,13 +79,17 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
 LocalPath resolve_uri(std::string_view uri, const std::filesystem::path& folder) {
     const auto decoded = percent_decode(uri);
     if (!decoded) return {{}, "has a percent sign that no two hexadecimal digits follow"};
-    if (decoded->empty()) return {{}, "is empty"};
-    if (decoded->find('\0') != std::string::npos) return {{}, "holds a zero byte"};
+    return resolve_path(*decoded, folder);
+}
+
+LocalPath resolve_path(const std::string& name, const std::filesystem::path& folder) {
+    if (name.empty()) return {{}, "is empty"};
+    if (name.find('\0') != std::string::npos) return {{}, "holds a zero byte"};
     // A backslash separates folders on some systems, and a colon marks a scheme or a drive: neither is portable.
-    if (decoded->find_first_of("\\:") != std::string::npos) {
+    if (name.find_first_of("\\:") != std::string::npos) {
         return {{}, "is not a relative path (only files beside the document are read)"};
     }
-    const auto relative = std::filesystem::path(*decoded).lexically_normal();
+    const auto relative = std::filesystem::path(name).lexically_normal();
     if (relative.is_absolute()) return {{}, "is an absolute path (only files beside the document are read)"};
     if (relative.begin() != relative.end() && *relative.begin() == "..") {
         return {{}, "leaves the document's folder"};

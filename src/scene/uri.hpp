@@ -24,4 +24,7 @@ struct LocalPath {
 };
 LocalPath resolve_uri(std::string_view uri, const std::filesystem::path& folder);
 
+/// The same for a plain path, in which a percent sign is nothing special.
+LocalPath resolve_path(const std::string& name, const std::filesystem::path& folder);
+
 }  // namespace tessera::scene

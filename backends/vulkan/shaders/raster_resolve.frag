@@ -10,5 +10,5 @@ void main() {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i) sum += texelFetch(samples, ivec2(gl_FragCoord.xy), i);
     vec4 mean = sum * 0.25;
-    colour = mean.a > 0.0 ? vec4(mean.rgb, mean.a) : vec4(0.0);
+    colour = mean.a > 0.0 ? vec4(mean.rgb / mean.a, mean.a) : vec4(0.0);
 }
