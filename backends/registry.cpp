@@ -2,6 +2,7 @@
 
 #include "backends/opencl/opencl_backend.hpp"
 #include "backends/reference/reference_backend.hpp"
+#include "backends/vulkan/fixed_function.hpp"
 #include "backends/vulkan/vulkan_backend.hpp"
 #include "backends/vulkan/vulkan_rasteriser.hpp"
 #include "base/error.hpp"
@@ -20,13 +21,15 @@ struct Entry {
     std::string_view name;
     Inventory (*list)();
     std::unique_ptr<gpu::Backend> (*open)(std::size_t index);
-    std::unique_ptr<render::Rasteriser> (*open_rasteriser)(std::size_t index);  // null: draws nothing
+    std::unique_ptr<render::Rasteriser> (*open_rasteriser)(std::size_t index);                    // null: draws nothing
+    std::unique_ptr<verify::FixedFunctionTessellator> (*open_fixed_function)(std::size_t index);  // null: has none
 };
 
 constexpr std::array entries{
-    Entry{"reference", reference::list, reference::open, nullptr},
-    Entry{"vulkan", vulkan::list, [](std::size_t index) { return vulkan::open(index); }, vulkan::open_rasteriser},
-    Entry{"opencl", opencl::list, opencl::open, nullptr},
+    Entry{"reference", reference::list, reference::open, nullptr, nullptr},
+    Entry{"vulkan", vulkan::list, [](std::size_t index) { return vulkan::open(index); }, vulkan::open_rasteriser,
+          vulkan::open_fixed_function},
+    Entry{"opencl", opencl::list, opencl::open, nullptr, nullptr},
 };
 
 /// A device and how to open it.
@@ -166,6 +169,26 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id) {
                     fmt::format("No device here draws triangles, which a picture needs; {}", describe(search)));
     }
     return first->entry->open_rasteriser(first->index);
+}
+
+std::unique_ptr<verify::FixedFunctionTessellator> open_fixed_function(const std::string& id) {
+    const std::vector<Found> devices = id.empty() ? look_everywhere().devices : std::vector<Found>{choose(id)};
+    std::string reasons;
+    for (const Found& device : devices) {
+        if (device.entry->open_fixed_function == nullptr) {
+            reasons += fmt::format("\n  {}: {} has no tessellation stage.", device.info.id, device.entry->name);
+            continue;
+        }
+        try {
+            return device.entry->open_fixed_function(device.index);
+        } catch (const Error& refusal) {
+            reasons += fmt::format("\n  {}: {}", device.info.id, refusal.what());
+        }
+    }
+    throw Error(ErrorKind::device_unavailable,
+                fmt::format("No tessellation stage here can be captured to judge the kernels; with Mesa's lavapipe "
+                            "(mesa-vulkan-drivers on Debian) any machine has one:{}",
+                            reasons.empty() ? " no device was found." : reasons));
 }
 
 }  // namespace tessera::backends

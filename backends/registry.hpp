@@ -4,6 +4,7 @@
 #include "backends/inventory.hpp"
 #include "gpu/device.hpp"
 #include "render/rasteriser.hpp"
+#include "verify/fixed_function.hpp"
 
 namespace tessera::backends {
 
@@ -19,5 +20,9 @@ gpu::Device open_device(const std::string& id);
 /// Opens a rasteriser: on the named device where it can draw, else (also for "") on the first device that can.
 /// Throws Error(device_unavailable) where none can, with what was found.
 std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id = "");
+
+/// Opens the tessellation stage of the named device, or for "" of the first device that has one which can be captured.
+/// Throws Error(device_unavailable) with every device's reason where none can.
+std::unique_ptr<verify::FixedFunctionTessellator> open_fixed_function(const std::string& id = "");
 
 }  // namespace tessera::backends

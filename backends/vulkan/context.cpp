@@ -24,7 +24,8 @@ vk::PhysicalDeviceFeatures both(const vk::PhysicalDeviceFeatures& wanted, const 
 }  // namespace
 
 Context create_context(std::shared_ptr<const Instance> instance, vk::raii::PhysicalDevice physical,
-                       const vk::PhysicalDeviceFeatures& wanted) {
+                       const vk::PhysicalDeviceFeatures& wanted, std::span<const char* const> extensions,
+                       const void* chain) {
     Context context;
     context.instance = std::move(instance);
     context.physical = std::move(physical);
@@ -39,7 +40,9 @@ Context create_context(std::shared_ptr<const Instance> instance, vk::raii::Physi
         const float priority = 1.0f;
         const vk::DeviceQueueCreateInfo queue({}, context.queue_family, 1, &priority);
         vk::DeviceCreateInfo info;
-        info.setQueueCreateInfos(queue).setPEnabledFeatures(&context.features);
+        info.setQueueCreateInfos(queue).setPEnabledFeatures(&context.features).setPNext(chain);
+        info.setEnabledExtensionCount(static_cast<std::uint32_t>(extensions.size()));
+        info.setPpEnabledExtensionNames(extensions.data());
         context.device = vk::raii::Device(context.physical, info);
         context.queue = context.device.getQueue(context.queue_family, 0);
     });
@@ -48,13 +51,8 @@ Context create_context(std::shared_ptr<const Instance> instance, vk::raii::Physi
 
 Context create_context(std::size_t index, const vk::PhysicalDeviceFeatures& wanted) {
     std::shared_ptr<const Instance> instance = shared_instance();
-    std::vector<Candidate> found = candidates(*instance);
-    if (index >= found.size()) {
-        throw Error(ErrorKind::device_unavailable,
-                    fmt::format("There is no device vulkan:{}; the last one is vulkan:{}.", index, found.size() - 1));
-    }
-    if (!found[index].objections.empty()) throw Error(ErrorKind::device_unavailable, refusal(found[index]));
-    return create_context(std::move(instance), std::move(found[index].physical), wanted);
+    vk::raii::PhysicalDevice physical = usable_device(*instance, index);
+    return create_context(std::move(instance), std::move(physical), wanted);
 }
 
 void submit_and_wait(const Context& context, const std::function<void(const vk::raii::CommandBuffer&)>& record) {

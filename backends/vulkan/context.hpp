@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,9 +24,11 @@ struct Context {
 };
 
 /// Makes a device on `physical`. Of the `wanted` features those that the device has are enabled; `context.features`
-/// says which. Throws Error(device_unavailable).
+/// says which. `extensions` must be offered by the device, and `chain` is their list of feature structures.
+/// Throws Error(device_unavailable).
 Context create_context(std::shared_ptr<const Instance> instance, vk::raii::PhysicalDevice physical,
-                       const vk::PhysicalDeviceFeatures& wanted = {});
+                       const vk::PhysicalDeviceFeatures& wanted = {}, std::span<const char* const> extensions = {},
+                       const void* chain = nullptr);
 
 /// Same, on device `index` of list(). Throws Error(device_unavailable) where there is none such.
 Context create_context(std::size_t index, const vk::PhysicalDeviceFeatures& wanted = {});

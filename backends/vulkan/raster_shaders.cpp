@@ -3,10 +3,10 @@
 // Arrays that glslangValidator wrote, of the same names in a namespace of their own.
 namespace tessera::backends::vulkan::shaders {
 namespace {
-#include "raster_mesh.frag.inc"
-#include "raster_mesh.vert.inc"
-#include "raster_resolve.frag.inc"
-#include "raster_resolve.vert.inc"
+#include "raster_mesh_frag.inc"
+#include "raster_mesh_vert.inc"
+#include "raster_resolve_frag.inc"
+#include "raster_resolve_vert.inc"
 }  // namespace
 
 std::span<const std::uint32_t> mesh_vertex() {

@@ -65,6 +65,16 @@ std::vector<Candidate> candidates(const Instance& instance) {
     return result;
 }
 
+vk::raii::PhysicalDevice usable_device(const Instance& instance, std::size_t index) {
+    std::vector<Candidate> found = candidates(instance);
+    if (index >= found.size()) {
+        throw Error(ErrorKind::device_unavailable,
+                    fmt::format("There is no device vulkan:{}; the last one is vulkan:{}.", index, found.size() - 1));
+    }
+    if (!found[index].objections.empty()) throw Error(ErrorKind::device_unavailable, refusal(found[index]));
+    return std::move(found[index].physical);
+}
+
 std::string refusal(const Candidate& candidate) {
     return fmt::format("The Vulkan device '{}' cannot be used: {}.",
                        candidate.physical.getProperties().deviceName.data(), fmt::join(candidate.objections, "; "));

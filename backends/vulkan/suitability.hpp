@@ -27,6 +27,9 @@ struct Candidate {
 /// number in an id such as "vulkan:1". Throws Error(device_unavailable) where the loader finds no driver.
 std::vector<Candidate> candidates(const Instance& instance);
 
+/// Device `index` of candidates(). Throws Error(device_unavailable) where there is none such, or it cannot be used.
+vk::raii::PhysicalDevice usable_device(const Instance& instance, std::size_t index);
+
 /// The sentence that names every objection.
 std::string refusal(const Candidate& candidate);
 

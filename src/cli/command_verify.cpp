@@ -2,6 +2,7 @@
 #include "backends/registry.hpp"
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/command_verify_oracle.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/progress.hpp"
@@ -21,8 +22,11 @@ using verify::DeviceComparison;
 struct Words {
     std::vector<std::string> inputs, devices, required;
     JobWords job;
+    LoadWords load;
     bool all = false;
     bool json = false;
+    bool markdown = false;
+    std::string oracle;
 };
 
 // The reference first, then what was asked for or everything found. A required backend that is missing fails.
@@ -112,6 +116,39 @@ Json to_json(const std::string& input, const TessellationOptions& options, const
     return document;
 }
 
+// Adds the counts of one job's comparison to the sums of all jobs.
+void add(std::vector<DeviceComparison>& sums, const std::vector<DeviceComparison>& results) {
+    if (sums.empty()) {
+        sums = results;
+        return;
+    }
+    for (std::size_t d = 0; d < sums.size(); ++d) {
+        for (std::size_t s = 0; s < stage_count; ++s) {
+            sums[d].stages[s].words += results[d].stages[s].words;
+            sums[d].stages[s].differing += results[d].stages[s].differing;
+        }
+    }
+}
+
+// A table device x stage over all jobs: differing words of words compared.
+void print_markdown(const std::vector<DeviceComparison>& sums, std::size_t jobs) {
+    fmt::print("| device |");
+    for (std::size_t s = 0; s < stage_count; ++s) {
+        fmt::print(" {} |", name(static_cast<StageId>(s)));
+    }
+    fmt::print("\n|---|---|---|---|---|---|---|\n");
+    for (std::size_t d = 1; d < sums.size(); ++d) {
+        const gpu::DeviceInfo& info = sums[d].device;
+        fmt::print("| {} ({}, {}) |", info.backend, info.name, info.driver);
+        for (const verify::StageComparison& stage : sums[d].stages) {
+            fmt::print(" {} of {} |", stage.differing, stage.words);
+        }
+        fmt::print("\n");
+    }
+    fmt::print("\nDiffering of compared 32-bit words, summed over {} jobs, against the {} backend.\n", jobs,
+               sums.front().device.id);
+}
+
 // What to compare: the options given, or with --all every scheme, kind of normals and partitioning.
 std::vector<JobWords> variants(const Words& words) {
     if (!words.all) {
@@ -133,12 +170,17 @@ std::vector<JobWords> variants(const Words& words) {
 }
 
 int run(const Context& context, const Words& words) {
+    if (!words.oracle.empty()) {
+        const std::vector<std::string> devices = words.devices.empty() ? std::vector<std::string>{"reference"} : words.devices;
+        return verify_with_oracle(context, {words.inputs, devices, words.load, variants(words), words.all, words.json});
+    }
     const std::vector<gpu::Device> devices = open_devices(context, words);
     Json documents = Json::array();
+    std::vector<DeviceComparison> sums;
     std::size_t jobs = 0;
     std::size_t different = 0;
     for (const std::string& input : words.inputs) {
-        const scene::Scene scene = load(context, input);
+        const scene::Scene scene = load(context, input, words.load);
         const patches::PatchSet patches = patches::make_patches(scene);
         for (const JobWords& job : variants(words)) {
             const TessellationOptions options = resolve(job, patches);
@@ -146,9 +188,10 @@ int run(const Context& context, const Words& words) {
             const auto results = verify::compare_jobs(devices, patches, options, progress.callback());
             ++jobs;
             different += std::ranges::all_of(results, &DeviceComparison::equal) ? 0 : 1;
+            add(sums, results);
             if (words.json) {
                 documents.push_back(to_json(input, options, job.factor, results));
-            } else {
+            } else if (!words.markdown) {
                 print(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(), job.scheme,
                                   job.normals, job.partitioning, job.factor),
                       results);
@@ -157,6 +200,8 @@ int run(const Context& context, const Words& words) {
     }
     if (words.json) {
         fmt::print("{}\n", documents.dump(2));
+    } else if (words.markdown) {
+        print_markdown(sums, jobs);
     } else {
         fmt::print("{} jobs on {} devices, {} with differences\n", jobs, devices.size(), different);
     }
@@ -171,10 +216,18 @@ void add_verify_command(CLI::App& app, Context& context) {
     command->footer("Example: tessera verify fox.glb --all --factor random:1..9 --require vulkan,opencl");
     command->add_option("inputs", words->inputs, "Models or built-in shapes")->required();
     command->add_option("--device", words->devices, "A device to hold against the reference; repeat for more (default: all)");
-    command->add_option("--require", words->required, "Backends that must be among the devices, separated by commas")
+    CLI::Option* required = command->add_option("--require", words->required, "Backends that must be among the devices, separated by commas")
         ->delimiter(',');
     command->add_flag("--all", words->all, "Every scheme, kind of normals and partitioning, one after another");
     command->add_flag("--json", words->json, "Print JSON on stdout");
+    CLI::Option* markdown = command->add_flag("--markdown", words->markdown, "Print one table device x stage over all jobs, for documents");
+    command
+        ->add_option("--oracle", words->oracle,
+                     "fixed-function: instead hold the kernels (of --device, default reference) against the tessellation "
+                     "stage of the first device that has one")
+        ->check(CLI::IsMember({"fixed-function"}))
+        ->excludes(required, markdown);
+    add_load_options(*command, words->load);
     add_job_options(*command, words->job);
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }
