@@ -45,6 +45,16 @@ std::vector<PatchFactors> random_factors(const std::string& words, const patches
     return random_edge_factors(patches, *least, *greatest, std::stoull(seed));
 }
 
+// Whose factors a list is. Triangles and quads take different ones, so a model of both takes one number or random ones.
+Domain domain_of(const std::string& words, const patches::PatchSet& patches) {
+    const bool has_triangles = !std::ranges::all_of(patches.corners, patches::is_quad);
+    if (patches.has_quads && has_triangles && words.find(',') != std::string::npos) {
+        throw Error(ErrorKind::usage, fmt::format("The factors \"{}\" cannot hold for triangles and quads alike, and the model "
+                                                  "has both; write one number or random:LEAST..GREATEST[:SEED].", words));
+    }
+    return patches.has_quads ? Domain::quad : Domain::triangle;
+}
+
 }  // namespace
 
 PatchFactors factors_from_words(const std::string& words, Domain domain) {
@@ -74,7 +84,7 @@ PatchFactors factors_from_words(const std::string& words, Domain domain) {
 void add_job_options(CLI::App& command, JobWords& words) {
     command.add_option("--scheme", words.scheme, "Surface: linear, phong or pn")->capture_default_str();
     command.add_option("--normals", words.normals, "How normals vary: linear or quadratic")->capture_default_str();
-    command.add_option("--factor", words.factor, "Tessellation factor: F, or U,V,W,INSIDE, or random:LEAST..GREATEST[:SEED]")
+    command.add_option("--factor", words.factor, "Tessellation factor: F, or all of a patch (4 for triangles, 6 for quads), or random:LEAST..GREATEST[:SEED]")
         ->capture_default_str();
     command.add_option("--partitioning", words.partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
         ->capture_default_str();
@@ -93,7 +103,7 @@ TessellationOptions resolve(const JobWords& words, const patches::PatchSet& patc
     if (words.factor.starts_with("random:")) {
         options.factors = random_factors(words.factor, patches);
     } else {
-        options.factors = factors_from_words(words.factor, Domain::triangle);
+        options.factors = factors_from_words(words.factor, domain_of(words.factor, patches));
     }
     return options;
 }

@@ -53,7 +53,8 @@ struct SurfaceComparison {
 
 /// Evaluates every patch on both, in the space of the kernels, and matches vertices by their domain point. `factors`
 /// and memory budget of the options are used as for any job. `progress` (may be empty) is called with the fraction
-/// done. Throws Error(usage) as compare_domain() does, and for factors that are neither one set nor one per patch.
+/// done. Throws Error(usage) as compare_domain() does, for quads, and for factors that are neither one set nor one per
+/// patch.
 SurfaceComparison compare_surface(FixedFunctionTessellator& stage, gpu::Device device, const patches::PatchSet& patches,
                                   const TessellationOptions& options, const std::function<void(double)>& progress = {});
 

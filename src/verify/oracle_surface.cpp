@@ -56,9 +56,12 @@ struct Slice {
     std::vector<PatchFactors> factors;
 
     Slice(const patches::PatchSet& all, const TessellationOptions& options, std::size_t first, std::size_t count) {
-        for (std::size_t i = 3 * first; i < 3 * (first + count); ++i) {
-            patches.control_vertices.push_back(all.control_vertices[all.indices[i]]);
-            patches.indices.push_back(static_cast<std::uint32_t>(patches.indices.size()));
+        for (std::size_t i = first; i < first + count; ++i) {
+            const auto base = static_cast<std::uint32_t>(patches.control_vertices.size());
+            for (std::size_t k = 0; k < 3; ++k) {
+                patches.control_vertices.push_back(all.control_vertices[all.corners[i][k]]);
+            }
+            patches.corners.push_back({base, base + 1, base + 2, patches::no_corner});
         }
         patches.ranges.push_back({"oracle", 0, 0, count});
         patches.exponent = all.exponent;
@@ -130,6 +133,10 @@ SurfaceComparison compare_surface(FixedFunctionTessellator& stage, gpu::Device d
         throw Error(ErrorKind::usage, fmt::format("There are {} sets of tessellation factors for {} patches; give one "
                                                   "set, or one per patch.",
                                                   list->size(), patches.patch_count()));
+    }
+    if (patches.has_quads) {
+        throw Error(ErrorKind::usage, "The fixed-function stage evaluates triangle patches only, and this model has quads; "
+                                      "compare its devices with `tessera verify` instead.");
     }
     const CapturedSurface surface{options.scheme, options.normals, options.alpha};
     SurfaceComparison result;

@@ -120,7 +120,7 @@ TEST(DomainComparison, NamesTheTriangles) {
 patches::PatchSet one_patch() {
     patches::PatchSet set;
     set.control_vertices = {{{1.5f, 0, 0}, {0, 0, 1}, {}}, {{0, 1, 0}, {0, 0, 1}, {}}, {{0, 0, 1}, {0, 0, 1}, {}}};
-    set.indices = {0, 1, 2};
+    set.corners = {{0, 1, 2, patches::no_corner}};
     set.ranges.push_back({"one", 0, 0, 1});
     return set;
 }

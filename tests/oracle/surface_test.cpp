@@ -27,7 +27,9 @@ patches::PatchSet random_patches(std::size_t count, std::uint64_t seed) {
         vertex.normal[1] = y / size;
         vertex.normal[2] = 1.0f / size;
         set.control_vertices.push_back(vertex);
-        set.indices.push_back(static_cast<std::uint32_t>(i));
+        if (const auto last = static_cast<std::uint32_t>(i); last % 3 == 2) {
+            set.corners.push_back({last - 2, last - 1, last, patches::no_corner});
+        }
     }
     set.ranges.push_back({"random", 0, 0, count});
     return set;
