@@ -25,12 +25,18 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define to_uint(x) uint(x)
 
 // Bindings of a kernel: READ and WRITE are storage buffers, UNIFORM is one struct of 32-bit scalars.
-#define READ(slot, type, name) \
-    layout(set = 0, binding = slot, std430) restrict readonly buffer name##_buffer { type name[]; };
-#define WRITE(slot, type, name) \
-    layout(set = 0, binding = slot, std430) restrict buffer name##_buffer { type name[]; };
-#define UNIFORM(slot, type, name) \
-    layout(set = 0, binding = slot, std140) uniform name##_buffer { type name; };
+#define READ(slot, type, name)                                                       \
+    layout(set = 0, binding = slot, std430) restrict readonly buffer name##_buffer { \
+        type name[];                                                                 \
+    };
+#define WRITE(slot, type, name)                                             \
+    layout(set = 0, binding = slot, std430) restrict buffer name##_buffer { \
+        type name[];                                                        \
+    };
+#define UNIFORM(slot, type, name)                                   \
+    layout(set = 0, binding = slot, std140) uniform name##_buffer { \
+        type name;                                                  \
+    };
 #define LOAD_UNIFORM(name) name
 
 #define KERNEL2(name, a, b) a b void main()
@@ -47,7 +53,9 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 _Pragma("OPENCL FP_CONTRACT OFF")
 
 #define FUNCTION static inline
-#define STRUCT(name) typedef struct name name; struct name
+#define STRUCT(name)          \
+    typedef struct name name; \
+    struct name
 #define float_bits(x) as_uint(x)
 #define bits_float(x) as_float(x)
 #define to_float(x) ((float)(x))

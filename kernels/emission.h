@@ -1,5 +1,5 @@
-// How the work items of an emitting kernel share out the patches of a list: 2^lanes_log2 items, the lanes, take turns on a
-// patch.
+// How the work items of an emitting kernel share out the patches of a list: 2^lanes_log2 items, the lanes, take turns
+// on a patch.
 #ifndef TESSERA_EMISSION_H
 #define TESSERA_EMISSION_H
 
@@ -24,8 +24,8 @@ FUNCTION EmissionItem make_emission_item(EmitParams p, uint item) {
 }
 
 /// Where a patch's vertices and indices begin in the buffers of a batch.
-#define VERTEX_START(p, offsets, patch_index) (offsets[(patch_index) * COUNT_WORDS] - (p).first_vertex)
-#define INDEX_START(p, offsets, patch_index) (offsets[(patch_index) * COUNT_WORDS + 1u] - (p).first_index)
+#define VERTEX_START(p, offsets, patch_index) (offsets[(patch_index)*COUNT_WORDS] - (p).first_vertex)
+#define INDEX_START(p, offsets, patch_index) (offsets[(patch_index)*COUNT_WORDS + 1u] - (p).first_index)
 
 KERNELS_END
 

@@ -23,22 +23,22 @@ FUNCTION float exact_reciprocal(float x) {
     const uint sign = bits & 0x80000000u;
     const uint exponent = (bits >> 23u) & 0xffu;
     const uint mantissa = bits & 0x007fffffu;
-    const float m = bits_float(mantissa | 0x3f800000u);     // in [1, 2)
-    float r = bits_float(0x7ef311c7u - float_bits(m));      // 12 % off; each step squares the error
+    const float m = bits_float(mantissa | 0x3f800000u);  // in [1, 2)
+    float r = bits_float(0x7ef311c7u - float_bits(m));   // 12 % off; each step squares the error
     r = r * (2.0f - m * r);
     r = r * (2.0f - m * r);
     r = r * (2.0f - m * r);
     r = r + r * (1.0f - m * r);
-    const uint r_bits = float_bits(r);                      // in [0.5, 1]
-    const uint sum = (r_bits >> 23u) + 127u;                // the result's exponent is sum - exponent
+    const uint r_bits = float_bits(r);        // in [0.5, 1]
+    const uint sum = (r_bits >> 23u) + 127u;  // the result's exponent is sum - exponent
     const uint shifted = (r_bits & 0x007fffffu) | ((sum - exponent) << 23u);
     const uint finite = sum > exponent ? shifted : 0u;
     const uint special = exponent == 0u ? 0x7f800000u : (mantissa == 0u ? 0u : 0x7fc00000u);
     return bits_float(sign | (exponent == 0u || exponent == 255u ? special : finite));
 }
 
-/// 1/sqrt(x) within 1.22 ULP for normal x > 0: at most one float away from the correctly rounded result. 0 and denormals
-/// give +infinity, infinity gives 0, NaN and negative numbers give NaN.
+/// 1/sqrt(x) within 1.22 ULP for normal x > 0: at most one float away from the correctly rounded result. 0 and
+/// denormals give +infinity, infinity gives 0, NaN and negative numbers give NaN.
 FUNCTION float exact_rsqrt(float x) {
     const uint bits = float_bits(x);
     const uint exponent = (bits >> 23u) & 0xffu;

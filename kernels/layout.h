@@ -34,17 +34,17 @@
 //   word 0: flags (below); words 1..6: the factors in 16.16 fixed point, clamped and rounded; word 7: unused, zero.
 #define RECORD_WORDS 8u
 #define RECORD_DOMAIN_MASK 3u
-#define RECORD_CULLED 4u       // no points, no triangles
-#define RECORD_SINGLE 8u       // all factors are one: corners only
-#define RECORD_UNIFORM 16u     // even triangular grid; word 1 holds the level as an integer
-#define RECORD_FLIP 32u        // triangles are emitted with the opposite winding
-#define RECORD_ODD_SHIFT 8u    // bit 8 + i: factor i splits its edge into an odd number of segments
+#define RECORD_CULLED 4u     // no points, no triangles
+#define RECORD_SINGLE 8u     // all factors are one: corners only
+#define RECORD_UNIFORM 16u   // even triangular grid; word 1 holds the level as an integer
+#define RECORD_FLIP 32u      // triangles are emitted with the opposite winding
+#define RECORD_ODD_SHIFT 8u  // bit 8 + i: factor i splits its edge into an odd number of segments
 
 // Counts and offsets hold two words per patch: vertices, indices.
 #define COUNT_WORDS 2u
 
-// Control nets, one per patch, floats: control points of degree d (3 each), normals of degree n (3 each), then the three
-// texture coordinates (2 each). Order of control points, with corners 0, 1, 2 at u = 1, v = 1, w = 1:
+// Control nets, one per patch, floats: control points of degree d (3 each), normals of degree n (3 each), then the
+// three texture coordinates (2 each). Order of control points, with corners 0, 1, 2 at u = 1, v = 1, w = 1:
 //   degree 1: 0 1 2;  degree 2: 0 1 2 01 12 20;  degree 3: 0 1 2 01 10 12 21 20 02 centre (ij: next to i, towards j).
 // Quads, with corners 0 1 2 3 around the face and four texture coordinates:
 //   degree 1: 0 1 2 3;  degree 2: 0 1 2 3 01 12 23 30 centre;  degree 3: 0 1 2 3 01 10 12 21 23 32 30 03 and the inner

@@ -4,12 +4,12 @@
 // GLSL's `precise` does not reach called functions, so the decoration is done here. SPIR-V 1.x layout: a header of five
 // words, then instructions whose first word is (length << 16 | opcode); decorations lie in one section before the
 // first type declaration.
+#include <glslang/SPIRV/GLSL.std.450.h>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
-#include <glslang/SPIRV/GLSL.std.450.h>
 #include <glslang/SPIRV/spirv.hpp>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -24,16 +24,26 @@ bool is_float_arithmetic(spv::Op op) {
 /// The name of a float instruction that has no single correctly rounded result on every device, or null.
 const char* inexact_instruction(spv::Op op) {
     switch (op) {
-        case spv::OpFDiv: return "OpFDiv";
-        case spv::OpFRem: return "OpFRem";
-        case spv::OpFMod: return "OpFMod";
-        case spv::OpDot: return "OpDot";
-        case spv::OpVectorTimesScalar: return "OpVectorTimesScalar";
-        case spv::OpMatrixTimesVector: return "OpMatrixTimesVector";
-        case spv::OpMatrixTimesMatrix: return "OpMatrixTimesMatrix";
-        case spv::OpConvertFToU: return "OpConvertFToU";
-        case spv::OpConvertFToS: return "OpConvertFToS";
-        default: return nullptr;
+        case spv::OpFDiv:
+            return "OpFDiv";
+        case spv::OpFRem:
+            return "OpFRem";
+        case spv::OpFMod:
+            return "OpFMod";
+        case spv::OpDot:
+            return "OpDot";
+        case spv::OpVectorTimesScalar:
+            return "OpVectorTimesScalar";
+        case spv::OpMatrixTimesVector:
+            return "OpMatrixTimesVector";
+        case spv::OpMatrixTimesMatrix:
+            return "OpMatrixTimesMatrix";
+        case spv::OpConvertFToU:
+            return "OpConvertFToU";
+        case spv::OpConvertFToS:
+            return "OpConvertFToS";
+        default:
+            return nullptr;
     }
 }
 
@@ -46,8 +56,10 @@ bool is_exact_extended(std::uint32_t instruction) {
         case GLSLstd450SMin:
         case GLSLstd450SMax:
         case GLSLstd450FindUMsb:
-        case GLSLstd450FindILsb: return true;
-        default: return false;
+        case GLSLstd450FindILsb:
+            return true;
+        default:
+            return false;
     }
 }
 

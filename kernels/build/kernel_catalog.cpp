@@ -6,8 +6,8 @@
 #include "embedded.hpp"
 #include "kernel_includes.inc"  // generated: #include "stages/NAME.h" for every kernel
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -37,14 +37,13 @@ struct Wrap;
 template <typename... Parameters, void (*Function)(kernels::Item, Parameters...)>
 struct Wrap<Function> {
     static Kernel describe(const char* name) {
-        Kernel kernel{name, {Slot<Parameters>::binding...}, kernels::embedded_spirv(name),
-                      kernels::embedded_opencl(name), &run};
+        Kernel kernel{
+            name, {Slot<Parameters>::binding...}, kernels::embedded_spirv(name), kernels::embedded_opencl(name), &run};
         return kernel;
     }
 
     static void run(std::uint32_t first_item, std::uint32_t last_item, std::byte* const* slots) {
-        const std::tuple<Parameters...> bound{
-            Slot<Parameters>::bind(slots[Slot<Parameters>::binding.slot])...};
+        const std::tuple<Parameters...> bound{Slot<Parameters>::bind(slots[Slot<Parameters>::binding.slot])...};
         for (std::uint32_t item = first_item; item < last_item; ++item) {
             std::apply([item](const Parameters&... parameters) { Function(kernels::Item{item}, parameters...); },
                        bound);
@@ -68,12 +67,15 @@ const std::vector<Kernel>& catalog() {
 
 }  // namespace
 
-std::span<const Kernel> all_kernels() { return catalog(); }
+std::span<const Kernel> all_kernels() {
+    return catalog();
+}
 
 const Kernel& find_kernel(std::string_view name) {
     const auto found = std::ranges::lower_bound(catalog(), name, {}, &Kernel::name);
     if (found == catalog().end() || found->name != name) {
-        throw Error(ErrorKind::usage, fmt::format("There is no kernel named \"{}\"; kernels/stages has them all.", name));
+        throw Error(ErrorKind::usage,
+                    fmt::format("There is no kernel named \"{}\"; kernels/stages has them all.", name));
     }
     return *found;
 }

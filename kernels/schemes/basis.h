@@ -33,8 +33,8 @@ FUNCTION Vector evaluate_linear(Barycentric b, Vector c0, Vector c1, Vector c2) 
                        blend_linear(b, c0.z, c1.z, c2.z));
 }
 
-/// Six weights of degree 2. The binomial factor of the mixed terms is the caller's: 2 for Bezier points; 1 for the normals
-/// of Vlachos et al. 2001, which they blend without it.
+/// Six weights of degree 2. The binomial factor of the mixed terms is the caller's: 2 for Bezier points; 1 for the
+/// normals of Vlachos et al. 2001, which they blend without it.
 STRUCT(QuadraticWeights) {
     float w0;
     float w1;

@@ -1,6 +1,6 @@
-// Stage 2 for triangles, the kernel of every scheme: corners -> control net. An including file names the kernel and its scheme by
-// NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn: the degree) and NET_NORMALS (1 linear, 2 quadratic).
-// No include guard: every variant includes it once.
+// Stage 2 for triangles, the kernel of every scheme: corners -> control net. An including file names the kernel and its
+// scheme by NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn: the degree) and NET_NORMALS (1 linear, 2 quadratic). No
+// include guard: every variant includes it once.
 KERNELS_BEGIN
 
 KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),

@@ -18,13 +18,13 @@ STRUCT(Corners) {
 };
 
 /// Loads the corners of a patch from the buffers of control vertices and patch indices.
-#define LOAD_CORNERS(corners, control_vertices, i0, i1, i2)                     \
-    corners.p0 = LOAD_VECTOR(control_vertices, (i0) * VERTEX_FLOATS);           \
-    corners.p1 = LOAD_VECTOR(control_vertices, (i1) * VERTEX_FLOATS);           \
-    corners.p2 = LOAD_VECTOR(control_vertices, (i2) * VERTEX_FLOATS);           \
-    corners.n0 = LOAD_VECTOR(control_vertices, (i0) * VERTEX_FLOATS + 3u);      \
-    corners.n1 = LOAD_VECTOR(control_vertices, (i1) * VERTEX_FLOATS + 3u);      \
-    corners.n2 = LOAD_VECTOR(control_vertices, (i2) * VERTEX_FLOATS + 3u)
+#define LOAD_CORNERS(corners, control_vertices, i0, i1, i2)              \
+    corners.p0 = LOAD_VECTOR(control_vertices, (i0)*VERTEX_FLOATS);      \
+    corners.p1 = LOAD_VECTOR(control_vertices, (i1)*VERTEX_FLOATS);      \
+    corners.p2 = LOAD_VECTOR(control_vertices, (i2)*VERTEX_FLOATS);      \
+    corners.n0 = LOAD_VECTOR(control_vertices, (i0)*VERTEX_FLOATS + 3u); \
+    corners.n1 = LOAD_VECTOR(control_vertices, (i1)*VERTEX_FLOATS + 3u); \
+    corners.n2 = LOAD_VECTOR(control_vertices, (i2)*VERTEX_FLOATS + 3u)
 
 /// The normal coefficient of the edge between two corners, for normals that vary quadratically: the sum of the two
 /// normals reflected in the plane perpendicular to the edge, then made unit length (Vlachos et al. 2001, section 3.3;

@@ -1,8 +1,10 @@
 // Phong tessellation (Boubekeur and Alexa 2008) as a quadratic Bezier triangle.
 //
-// The paper projects the flat point p(u,v) onto the tangent plane of each corner and blends the projections barycentrically:
+// The paper projects the flat point p(u,v) onto the tangent plane of each corner and blends the projections
+// barycentrically:
 //   p* = (1 - alpha) p + alpha (u pi_0(p) + v pi_1(p) + w pi_2(p)).
-// pi_i is affine and pi_i(p_i) = p_i, so p* is quadratic with the corners as Bezier points and, between corners i and j,
+// pi_i is affine and pi_i(p_i) = p_i, so p* is quadratic with the corners as Bezier points and, between corners i and
+// j,
 //   c_ij = (1 - alpha) (p_i + p_j) / 2 + alpha (pi_i(p_j) + pi_j(p_i)) / 2.
 #ifndef TESSERA_SCHEMES_PHONG_H
 #define TESSERA_SCHEMES_PHONG_H

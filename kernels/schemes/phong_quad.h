@@ -1,8 +1,8 @@
 // Phong tessellation of quads (Dupuy, Phong Tessellation for Quads, eq. 1-3) as a biquadratic Bezier patch.
 //
-// With q the bilinear point and B_i the bilinear weights, P = sum_i B_i pi_i(q) = sum_ij B_i B_j pi_i(p_j): biquadratic, with the
-// corners and the edge points of triangles, and in the middle the mean of pi_0(p_2), pi_2(p_0), pi_1(p_3), pi_3(p_1).
-// alpha blends each pi_i(p_j) with p_j, as for triangles.
+// With q the bilinear point and B_i the bilinear weights, P = sum_i B_i pi_i(q) = sum_ij B_i B_j pi_i(p_j):
+// biquadratic, with the corners and the edge points of triangles, and in the middle the mean of pi_0(p_2), pi_2(p_0),
+// pi_1(p_3), pi_3(p_1). alpha blends each pi_i(p_j) with p_j, as for triangles.
 #ifndef TESSERA_SCHEMES_PHONG_QUAD_H
 #define TESSERA_SCHEMES_PHONG_QUAD_H
 

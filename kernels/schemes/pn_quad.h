@@ -1,8 +1,8 @@
-// PN quads: a bicubic Bezier patch whose boundary curves are those of PN triangles (Peters, PN-quads, 2008: the same rules,
-// only the interior points differ).
+// PN quads: a bicubic Bezier patch whose boundary curves are those of PN triangles (Peters, PN-quads, 2008: the same
+// rules, only the interior points differ).
 //
-// The four interior points are those of the bilinearly blended Coons patch of the boundary, which keeps bilinear quads and
-// any sum of a curve in u and a curve in v as they are.
+// The four interior points are those of the bilinearly blended Coons patch of the boundary, which keeps bilinear quads
+// and any sum of a curve in u and a curve in v as they are.
 #ifndef TESSERA_SCHEMES_PN_QUAD_H
 #define TESSERA_SCHEMES_PN_QUAD_H
 
@@ -34,7 +34,8 @@ STRUCT(PnQuadNet) {
 
 /// The interior point next to corner a, whose neighbours are b and d and whose opposite is c:
 /// (6 (c_ab + c_ad) + 3 (c_bc + c_dc) - 4 P_a - 2 (P_b + P_d) - P_c) / 9.
-FUNCTION Vector coons_point(Vector pa, Vector pb, Vector pc, Vector pd, Vector cab, Vector cad, Vector cbc, Vector cdc) {
+FUNCTION Vector coons_point(Vector pa, Vector pb, Vector pc, Vector pd, Vector cab, Vector cad, Vector cbc,
+                            Vector cdc) {
     const Vector near_edges = scale(add(cab, cad), 6.0f);
     const Vector far_edges = scale(add(cbc, cdc), 3.0f);
     const Vector corners = add(add(scale(pa, 4.0f), scale(add(pb, pd), 2.0f)), pc);

@@ -1,6 +1,6 @@
 // Tensor-product Bernstein bases, degrees 1 to 3: along v first, then along u. On an edge one of the two directions has
-// weights of exactly 1 and 0, and what is left is the sum that basis.h makes on an edge of a triangle, so that quads and
-// triangles meet with the same bits.
+// weights of exactly 1 and 0, and what is left is the sum that basis.h makes on an edge of a triangle, so that quads
+// and triangles meet with the same bits.
 #ifndef TESSERA_SCHEMES_QUAD_BASIS_H
 #define TESSERA_SCHEMES_QUAD_BASIS_H
 
@@ -68,14 +68,15 @@ FUNCTION Vector evaluate_bilinear(CurveWeights u, CurveWeights v, Vector c0, Vec
 }
 
 /// Biquadratic: corners, edge points in the order 01, 12, 23, 30, and the centre.
-FUNCTION Vector evaluate_biquadratic(CurveWeights u, CurveWeights v, Vector c0, Vector c1, Vector c2, Vector c3, Vector c01,
-                                     Vector c12, Vector c23, Vector c30, Vector centre) {
-    return make_vector(curve_quadratic(u, curve_quadratic(v, c0.x, c30.x, c3.x), curve_quadratic(v, c01.x, centre.x, c23.x),
-                                       curve_quadratic(v, c1.x, c12.x, c2.x)),
-                       curve_quadratic(u, curve_quadratic(v, c0.y, c30.y, c3.y), curve_quadratic(v, c01.y, centre.y, c23.y),
-                                       curve_quadratic(v, c1.y, c12.y, c2.y)),
-                       curve_quadratic(u, curve_quadratic(v, c0.z, c30.z, c3.z), curve_quadratic(v, c01.z, centre.z, c23.z),
-                                       curve_quadratic(v, c1.z, c12.z, c2.z)));
+FUNCTION Vector evaluate_biquadratic(CurveWeights u, CurveWeights v, Vector c0, Vector c1, Vector c2, Vector c3,
+                                     Vector c01, Vector c12, Vector c23, Vector c30, Vector centre) {
+    return make_vector(
+        curve_quadratic(u, curve_quadratic(v, c0.x, c30.x, c3.x), curve_quadratic(v, c01.x, centre.x, c23.x),
+                        curve_quadratic(v, c1.x, c12.x, c2.x)),
+        curve_quadratic(u, curve_quadratic(v, c0.y, c30.y, c3.y), curve_quadratic(v, c01.y, centre.y, c23.y),
+                        curve_quadratic(v, c1.y, c12.y, c2.y)),
+        curve_quadratic(u, curve_quadratic(v, c0.z, c30.z, c3.z), curve_quadratic(v, c01.z, centre.z, c23.z),
+                        curve_quadratic(v, c1.z, c12.z, c2.z)));
 }
 
 /// A column of a bicubic patch: its curve along v.

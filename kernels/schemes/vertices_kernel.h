@@ -1,6 +1,6 @@
-// Stage 5 for triangles, the kernel of every scheme: control net and domain points -> vertices of 32 bytes. An including file names the
-// kernel and its degrees by VERTICES_KERNEL, VERTICES_DEGREE (1..3) and VERTICES_NORMALS (1 linear, 2 quadratic).
-// No include guard: every variant includes it once.
+// Stage 5 for triangles, the kernel of every scheme: control net and domain points -> vertices of 32 bytes. An
+// including file names the kernel and its degrees by VERTICES_KERNEL, VERTICES_DEGREE (1..3) and VERTICES_NORMALS (1
+// linear, 2 quadratic). No include guard: every variant includes it once.
 KERNELS_BEGIN
 
 KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),

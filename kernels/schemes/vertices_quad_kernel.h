@@ -1,6 +1,6 @@
-// Stage 5 for quads, the kernel of every scheme: control net and domain points -> vertices of 32 bytes. An including file
-// names the kernel and its degrees by VERTICES_KERNEL, VERTICES_DEGREE (1..3) and VERTICES_NORMALS (1 linear, 2 quadratic).
-// No include guard: every variant includes it once.
+// Stage 5 for quads, the kernel of every scheme: control net and domain points -> vertices of 32 bytes. An including
+// file names the kernel and its degrees by VERTICES_KERNEL, VERTICES_DEGREE (1..3) and VERTICES_NORMALS (1 linear, 2
+// quadratic). No include guard: every variant includes it once.
 KERNELS_BEGIN
 
 KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
@@ -61,22 +61,22 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
 #if VERTICES_DEGREE == 1
         const Vector position = evaluate_bilinear(u, v, c0, c1, c2, c3);
 #elif VERTICES_DEGREE == 2
-        const Vector position = evaluate_biquadratic(curve_weights_quadratic(point.u, 2.0f),
-                                                     curve_weights_quadratic(point.v, 2.0f), c0, c1, c2, c3, c01, c12, c23,
-                                                     c30, centre);
+        const Vector position =
+            evaluate_biquadratic(curve_weights_quadratic(point.u, 2.0f), curve_weights_quadratic(point.v, 2.0f), c0, c1,
+                                 c2, c3, c01, c12, c23, c30, centre);
 #else
         const CurveWeights cubic_v = curve_weights_cubic(point.v);
-        const Vector position = column_cubic(curve_weights_cubic(point.u), column_cubic(cubic_v, c0, c03, c30, c3),
-                                             column_cubic(cubic_v, c01, inner0, inner3, c32),
-                                             column_cubic(cubic_v, c10, inner1, inner2, c23),
-                                             column_cubic(cubic_v, c1, c12, c21, c2));
+        const Vector position =
+            column_cubic(curve_weights_cubic(point.u), column_cubic(cubic_v, c0, c03, c30, c3),
+                         column_cubic(cubic_v, c01, inner0, inner3, c32),
+                         column_cubic(cubic_v, c10, inner1, inner2, c23), column_cubic(cubic_v, c1, c12, c21, c2));
 #endif
 #if VERTICES_NORMALS == 1
         const Vector blended = evaluate_bilinear(u, v, n0, n1, n2, n3);
 #else
-        const Vector blended = evaluate_biquadratic(curve_weights_quadratic(point.u, 1.0f),
-                                                    curve_weights_quadratic(point.v, 1.0f), n0, n1, n2, n3, n01, n12, n23,
-                                                    n30, middle);
+        const Vector blended =
+            evaluate_biquadratic(curve_weights_quadratic(point.u, 1.0f), curve_weights_quadratic(point.v, 1.0f), n0, n1,
+                                 n2, n3, n01, n12, n23, n30, middle);
 #endif
         // Opposite normals may cancel; the fallback is the same from every patch.
         const Vector normal = normalise(blended, make_vector(0.0f, 0.0f, 1.0f));
@@ -87,10 +87,10 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         vertex_buffer[at + 3u] = normal.x;
         vertex_buffer[at + 4u] = normal.y;
         vertex_buffer[at + 5u] = normal.z;
-        vertex_buffer[at + 6u] = flush_tiny(
-            blend_bilinear(u, v, nets[uvs], nets[uvs + 2u], nets[uvs + 4u], nets[uvs + 6u]));
-        vertex_buffer[at + 7u] = flush_tiny(
-            blend_bilinear(u, v, nets[uvs + 1u], nets[uvs + 3u], nets[uvs + 5u], nets[uvs + 7u]));
+        vertex_buffer[at + 6u] =
+            flush_tiny(blend_bilinear(u, v, nets[uvs], nets[uvs + 2u], nets[uvs + 4u], nets[uvs + 6u]));
+        vertex_buffer[at + 7u] =
+            flush_tiny(blend_bilinear(u, v, nets[uvs + 1u], nets[uvs + 3u], nets[uvs + 5u], nets[uvs + 7u]));
     }
 }
 

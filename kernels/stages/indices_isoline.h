@@ -5,8 +5,7 @@
 KERNELS_BEGIN
 
 KERNEL5(indices_isoline, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
-        WRITE(3, uint, index_buffer),
-        UNIFORM(4, EmitParams, params)) {
+        WRITE(3, uint, index_buffer), UNIFORM(4, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {

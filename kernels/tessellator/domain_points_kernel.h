@@ -4,8 +4,7 @@
 KERNELS_BEGIN
 
 KERNEL5(POINTS_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
-        WRITE(3, uint, points),
-        UNIFORM(4, EmitParams, params)) {
+        WRITE(3, uint, points), UNIFORM(4, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {

@@ -1,11 +1,10 @@
-// Stage 6, the kernel of every domain that makes triangles. An including file names the kernel by INDICES_KERNEL and its
-// domain by PATCH_TYPE, LOAD_PATCH, TRIANGLE_COUNT and TRIANGLE_AT.
-// No include guard: every variant includes it once.
+// Stage 6, the kernel of every domain that makes triangles. An including file names the kernel by INDICES_KERNEL and
+// its domain by PATCH_TYPE, LOAD_PATCH, TRIANGLE_COUNT and TRIANGLE_AT. No include guard: every variant includes it
+// once.
 KERNELS_BEGIN
 
 KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
-        WRITE(3, uint, index_buffer),
-        UNIFORM(4, EmitParams, params)) {
+        WRITE(3, uint, index_buffer), UNIFORM(4, EmitParams, params)) {
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {

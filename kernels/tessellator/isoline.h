@@ -14,9 +14,9 @@ STRUCT(IsolinePatch) {
 };
 
 /// Reads a patch record from a buffer.
-#define LOAD_ISOLINE_PATCH(records, patch_index)                                                          \
-    make_isoline_patch(records[(patch_index) * RECORD_WORDS], records[(patch_index) * RECORD_WORDS + 1u], \
-                       records[(patch_index) * RECORD_WORDS + 2u])
+#define LOAD_ISOLINE_PATCH(records, patch_index)                                                      \
+    make_isoline_patch(records[(patch_index)*RECORD_WORDS], records[(patch_index)*RECORD_WORDS + 1u], \
+                       records[(patch_index)*RECORD_WORDS + 2u])
 
 FUNCTION IsolinePatch make_isoline_patch(uint flags, uint density, uint detail) {
     IsolinePatch p;

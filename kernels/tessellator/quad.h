@@ -1,7 +1,8 @@
 // The quad domain: points and triangles of a patch by their index, in the order of the D3D11 tessellator.
 //
 //   (0,1)  V=1  (1,1)     Factors: edges U=0, V=0, U=1, V=1, inside U, inside V. Points: the outer ring (edges in that
-//      +--------+         order, from (0,1) down and around, each without its last point), then ring after ring inwards.
+//      +--------+         order, from (0,1) down and around, each without its last point), then ring after ring
+//      inwards.
 //  U=0 |        | U=1     Where the inside axis with fewer points has an even factor, a single row comes last.
 //      +--------+
 //   (0,0)  V=0  (1,0)
@@ -28,11 +29,11 @@ STRUCT(QuadPatch) {
 };
 
 /// Reads a patch record from a buffer.
-#define LOAD_QUAD_PATCH(records, patch_index)                                                               \
-    make_quad_patch(records[(patch_index) * RECORD_WORDS], records[(patch_index) * RECORD_WORDS + 1u],      \
-                    records[(patch_index) * RECORD_WORDS + 2u], records[(patch_index) * RECORD_WORDS + 3u], \
-                    records[(patch_index) * RECORD_WORDS + 4u], records[(patch_index) * RECORD_WORDS + 5u], \
-                    records[(patch_index) * RECORD_WORDS + 6u])
+#define LOAD_QUAD_PATCH(records, patch_index)                                                           \
+    make_quad_patch(records[(patch_index)*RECORD_WORDS], records[(patch_index)*RECORD_WORDS + 1u],      \
+                    records[(patch_index)*RECORD_WORDS + 2u], records[(patch_index)*RECORD_WORDS + 3u], \
+                    records[(patch_index)*RECORD_WORDS + 4u], records[(patch_index)*RECORD_WORDS + 5u], \
+                    records[(patch_index)*RECORD_WORDS + 6u])
 
 FUNCTION QuadPatch make_quad_patch(uint flags, uint factor0, uint factor1, uint factor2, uint factor3, uint inside_u,
                                    uint inside_v) {
@@ -140,8 +141,10 @@ FUNCTION DomainPoint quad_point(QuadPatch p, uint i) {
     const uint sv = nv - 1u - 2u * r;
     const uint side = q < sv ? 0u : (q < sv + su ? 1u : (q < 2u * sv + su ? 2u : 3u));
     const uint k = q - choose_of_four(side, 0u, sv, sv + su, 2u * sv + su);
-    const uint u = choose_of_four(side, r, directed_position(1u, r, k, nu), nu - 1u - r, directed_position(3u, r, k, nu));
-    const uint v = choose_of_four(side, directed_position(0u, r, k, nv), r, directed_position(2u, r, k, nv), nv - 1u - r);
+    const uint u =
+        choose_of_four(side, r, directed_position(1u, r, k, nu), nu - 1u - r, directed_position(3u, r, k, nu));
+    const uint v =
+        choose_of_four(side, directed_position(0u, r, k, nv), r, directed_position(2u, r, k, nv), nv - 1u - r);
     return make_domain_point(edge_coordinate(p.inside_u, u), edge_coordinate(p.inside_v, v));
 }
 
@@ -175,8 +178,9 @@ FUNCTION Triangle quad_outer_triangle(QuadPatch p, uint t) {
     const uint inner_half = along_v ? p.inside_v.half_points - p.inside_v.odd : p.inside_u.half_points - p.inside_u.odd;
     const uint inner_odd = along_v ? p.inside_v.odd : p.inside_u.odd;
     const uint outer_odd = choose_of_four(side, p.edge0.odd, p.edge1.odd, p.edge2.odd, p.edge3.odd);
-    const uint outer_half = choose_of_four(side, p.edge0.half_points, p.edge1.half_points, p.edge2.half_points,
-                                           p.edge3.half_points) - outer_odd;
+    const uint outer_half =
+        choose_of_four(side, p.edge0.half_points, p.edge1.half_points, p.edge2.half_points, p.edge3.half_points) -
+        outer_odd;
     const Triangle row = transition_triangle(s, outer_half, outer_odd, inner_half, inner_odd);
     return place_row(row, make_ring(0u, p.outer_points), choose_of_four(side, 0u, start1, start2, start3),
                      quad_ring(p, 1u), quad_side_offset(side, su, sv));

@@ -7,8 +7,8 @@
 
 KERNELS_BEGIN
 
-/// Three corners of a triangle in a row between an outer edge and the inside row. A corner is a position along the outer
-/// edge, or along the inside row with ON_INSIDE added.
+/// Three corners of a triangle in a row between an outer edge and the inside row. A corner is a position along the
+/// outer edge, or along the inside row with ON_INSIDE added.
 #define ON_INSIDE 256u
 
 STRUCT(Triangle) {
@@ -32,17 +32,17 @@ FUNCTION Triangle make_triangle(uint a, uint b, uint c) {
 /// Heap number of step m in 1..31.
 FUNCTION uint transition_node(uint m) {
     const uint lowest = m & (0u - m);
-    return lowest == 16u ? 1u
-         : (lowest == 8u ? 2u | (m >> 4u)
-         : (lowest == 4u ? 4u | (m >> 3u)
-         : (lowest == 2u ? 8u | (m >> 2u) : 16u | (m >> 1u))));
+    return lowest == 16u
+               ? 1u
+               : (lowest == 8u ? 2u | (m >> 4u)
+                               : (lowest == 4u ? 4u | (m >> 3u) : (lowest == 2u ? 8u | (m >> 2u) : 16u | (m >> 1u))));
 }
 
 /// How many of the steps 1..m belong to nodes below `count` (1..32); 0 for count 0.
 FUNCTION uint transition_rank(uint count, uint m) {
     const uint level = highest_bit(count);
-    const uint complete = m >> (5u - level);                        // nodes of the levels that are full
-    const uint partial = (((2u * m) >> (5u - level)) + 1u) >> 1u;   // nodes of the next level, if it were full
+    const uint complete = m >> (5u - level);                       // nodes of the levels that are full
+    const uint partial = (((2u * m) >> (5u - level)) + 1u) >> 1u;  // nodes of the next level, if it were full
     const uint there = count - (1u << level);
     return count == 0u ? 0u : complete + (partial < there ? partial : there);
 }
@@ -71,8 +71,8 @@ FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, u
     uint m = 0u;
     for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
         const uint candidate = m + bit;
-        const uint before = lead + transition_rank(inner_half, candidate - 1u)
-                          + transition_rank(outer_half, candidate - 1u);
+        const uint before =
+            lead + transition_rank(inner_half, candidate - 1u) + transition_rank(outer_half, candidate - 1u);
         m = before <= t ? candidate : m;
     }
     const uint steps = m == 0u ? 0u : m - 1u;

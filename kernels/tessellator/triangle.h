@@ -26,10 +26,10 @@ STRUCT(TrianglePatch) {
 };
 
 /// Reads a patch record from a buffer.
-#define LOAD_TRIANGLE_PATCH(records, patch_index)                                                               \
-    make_triangle_patch(records[(patch_index) * RECORD_WORDS], records[(patch_index) * RECORD_WORDS + 1u],      \
-                        records[(patch_index) * RECORD_WORDS + 2u], records[(patch_index) * RECORD_WORDS + 3u], \
-                        records[(patch_index) * RECORD_WORDS + 4u])
+#define LOAD_TRIANGLE_PATCH(records, patch_index)                                                           \
+    make_triangle_patch(records[(patch_index)*RECORD_WORDS], records[(patch_index)*RECORD_WORDS + 1u],      \
+                        records[(patch_index)*RECORD_WORDS + 2u], records[(patch_index)*RECORD_WORDS + 3u], \
+                        records[(patch_index)*RECORD_WORDS + 4u])
 
 FUNCTION TrianglePatch make_triangle_patch(uint flags, uint factor0, uint factor1, uint factor2, uint inside) {
     TrianglePatch p;

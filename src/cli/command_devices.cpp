@@ -11,7 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json optional_json(const std::optional<bool>& value) { return value ? Json(*value) : Json(nullptr); }
+Json optional_json(const std::optional<bool>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
 
 Json to_json(const gpu::DeviceInfo& info) {
     const gpu::Limits& l = info.limits;
@@ -42,9 +44,13 @@ Json to_json(const gpu::DeviceInfo& info) {
               {"rounds_to_nearest_even", optional_json(info.float_controls.rounds_to_nearest_even)}}}};
 }
 
-std::string mebibytes(std::uint64_t bytes) { return fmt::format("{} MiB", bytes >> 20); }
+std::string mebibytes(std::uint64_t bytes) {
+    return fmt::format("{} MiB", bytes >> 20);
+}
 
-const char* word(const std::optional<bool>& value) { return !value ? "unknown" : (*value ? "yes" : "no"); }
+const char* word(const std::optional<bool>& value) {
+    return !value ? "unknown" : (*value ? "yes" : "no");
+}
 
 void print(const gpu::DeviceInfo& info) {
     const gpu::Limits& l = info.limits;
@@ -89,7 +95,8 @@ int list(bool json) {
 }  // namespace
 
 void add_devices_command(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("devices", "List the devices of this machine, and why others are not usable");
+    CLI::App* command =
+        app.add_subcommand("devices", "List the devices of this machine, and why others are not usable");
     command->footer("Example: tessera devices --json");
     const auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "Print JSON");

@@ -7,15 +7,16 @@
 #include "export/output_file.hpp"
 #include "verify/golden.hpp"
 
-#include <filesystem>
 #include <fmt/format.h>
+#include <filesystem>
 #include <memory>
 
 namespace tessera::cli {
 namespace {
 
 struct Words {
-    std::string factors, domain = "triangle", partitioning = "fractional_odd", winding = "cw", device = "reference", output, check;
+    std::string factors, domain = "triangle", partitioning = "fractional_odd", winding = "cw", device = "reference",
+                         output, check;
 };
 
 int check(const Words& words) {
@@ -69,14 +70,15 @@ void write_file(const std::string& path, const std::string& text) {
 
 int show(const Context& context, const Words& words) {
     if (words.winding != "cw" && words.winding != "ccw") {
-        throw Error(ErrorKind::usage, fmt::format("There is no winding named \"{}\"; choose cw or ccw.", words.winding));
+        throw Error(ErrorKind::usage,
+                    fmt::format("There is no winding named \"{}\"; choose cw or ccw.", words.winding));
     }
     const Domain domain = domain_from_name(words.domain);
     const std::vector<PatchFactors> factors{factors_from_words(words.factors, domain)};
     gpu::Device device = backends::open_device(words.device);
-    const Pattern pattern = make_patterns(device, domain, partitioning_from_name(words.partitioning),
-                                          words.winding == "cw", factors)
-                                .front();
+    const Pattern pattern =
+        make_patterns(device, domain, partitioning_from_name(words.partitioning), words.winding == "cw", factors)
+            .front();
     const std::string extension = std::filesystem::path(words.output).extension().string();
     if (words.output.empty()) {
         fmt::print("{}", pattern_csv(pattern, domain));
@@ -87,8 +89,9 @@ int show(const Context& context, const Words& words) {
     } else if (extension == ".png") {
         draw(pattern, domain, words);
     } else {
-        throw Error(ErrorKind::usage, fmt::format("{} has an unknown extension; a pattern is written as .svg, .png or .csv.",
-                                                  words.output));
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("{} has an unknown extension; a pattern is written as .svg, .png or .csv.", words.output));
     }
     say(context, domain == Domain::isoline
                      ? fmt::format("{} points, {} segments", pattern.points.size(), pattern.indices.size() / 2)
@@ -108,13 +111,16 @@ int run(const Context& context, const Words& words) {
 void add_pattern_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
     CLI::App* command = app.add_subcommand("pattern", "Show one domain pattern, or check a file of golden ones");
-    command->footer("Examples: tessera pattern --factors 3,5.5,8,6 -o pattern.svg\n"
-                    "          tessera pattern --check tessellator.csv --device all");
-    command->add_option("--factors", words->factors,
-                        "F, or all of them: triangle U=0,V=0,W=0,INSIDE; quad U=0,V=0,U=1,V=1,INSIDE_U,INSIDE_V; isoline "
-                        "DENSITY,DETAIL");
+    command->footer(
+        "Examples: tessera pattern --factors 3,5.5,8,6 -o pattern.svg\n"
+        "          tessera pattern --check tessellator.csv --device all");
+    command->add_option(
+        "--factors", words->factors,
+        "F, or all of them: triangle U=0,V=0,W=0,INSIDE; quad U=0,V=0,U=1,V=1,INSIDE_U,INSIDE_V; isoline "
+        "DENSITY,DETAIL");
     command->add_option("--domain", words->domain, "triangle, quad or isoline")->capture_default_str();
-    command->add_option("--partitioning", words->partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
+    command
+        ->add_option("--partitioning", words->partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
         ->capture_default_str();
     command->add_option("--winding", words->winding, "cw or ccw, the words of D3D")->capture_default_str();
     command->add_option("--device", words->device, "Where to compute it; `all` with --check")->capture_default_str();

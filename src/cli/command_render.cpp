@@ -8,9 +8,9 @@
 #include "render/mesh_sinks.hpp"
 #include "tessellate/tessellate.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
-#include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 #include <memory>
 
@@ -34,12 +34,15 @@ std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
     const auto first = std::from_chars(words.data(), end, width);
     if (first.ec == std::errc() && first.ptr != end && *first.ptr == 'x') {
         const auto second = std::from_chars(first.ptr + 1, end, height);
-        if (second.ec == std::errc() && second.ptr == end && width >= 1 && width <= 8192 && height >= 1 && height <= 8192) {
+        if (second.ec == std::errc() && second.ptr == end && width >= 1 && width <= 8192 && height >= 1 &&
+            height <= 8192) {
             return {width, height};
         }
     }
-    throw Error(ErrorKind::usage, fmt::format("The size \"{}\" is not understood; write WIDTHxHEIGHT with both from 1 to "
-                                              "8192, such as 1024x768.", words));
+    throw Error(ErrorKind::usage,
+                fmt::format("The size \"{}\" is not understood; write WIDTHxHEIGHT with both from 1 to "
+                            "8192, such as 1024x768.",
+                            words));
 }
 
 render::View parse_view(const std::vector<double>& camera) {
@@ -49,8 +52,9 @@ render::View parse_view(const std::vector<double>& camera) {
     if (camera.size() > 2) view.distance = static_cast<float>(camera[2]);
     if (camera.size() > 3) view.field_of_view = static_cast<float>(glm::radians(camera[3]));
     if (!(view.distance > 0.0f) || !(view.field_of_view > 0.0f) || !(view.field_of_view < 3.0f)) {
-        throw Error(ErrorKind::usage, "The camera needs a distance above 0 and a field of view from 1 to 170 degrees; write "
-                                      "AZIMUTH,ELEVATION[,DISTANCE[,FIELD_OF_VIEW]].");
+        throw Error(ErrorKind::usage,
+                    "The camera needs a distance above 0 and a field of view from 1 to 170 degrees; write "
+                    "AZIMUTH,ELEVATION[,DISTANCE[,FIELD_OF_VIEW]].");
     }
     return view;
 }
@@ -104,14 +108,21 @@ void add_render_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
     CLI::App* command = app.add_subcommand("render", "Tessellate a model and draw it into a PNG");
     command->footer("Example: tessera render fox.glb -o fox.png --factor 8 --camera 40,15 --size 1280x960");
-    command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")->required();
+    command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")
+        ->required();
     command->add_option("-o,--output", words->output, "The PNG to write")->required();
-    command->add_option("--device", words->device, "Where to tessellate: reference, vulkan[:index or name] or "
-                                                   "opencl[:index or name]")->capture_default_str();
+    command
+        ->add_option("--device", words->device,
+                     "Where to tessellate: reference, vulkan[:index or name] or "
+                     "opencl[:index or name]")
+        ->capture_default_str();
     command->add_option("--size", words->size, "WIDTHxHEIGHT in pixels, up to 8192x8192")->capture_default_str();
-    command->add_option("--camera", words->camera, "AZIMUTH,ELEVATION[,DISTANCE[,FIELD_OF_VIEW]]: degrees around the model and "
-                                                   "above it, distance in units of the one that just fits")
-        ->delimiter(',')->expected(1, 4);
+    command
+        ->add_option("--camera", words->camera,
+                     "AZIMUTH,ELEVATION[,DISTANCE[,FIELD_OF_VIEW]]: degrees around the model and "
+                     "above it, distance in units of the one that just fits")
+        ->delimiter(',')
+        ->expected(1, 4);
     command->add_option("--shading", words->shading, "phong, normals or wireframe")->capture_default_str();
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
     add_load_options(*command, words->load);

@@ -7,8 +7,8 @@
 #include "export/mesh_writer.hpp"
 #include "tessellate/tessellate.hpp"
 
-#include <chrono>
 #include <fmt/format.h>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -22,12 +22,13 @@ struct Words {
     bool json = false;
 };
 
-void report(const Context& context, const Words& words, const gpu::DeviceInfo& device,
-            const patches::PatchSet& patches, Tessellator& tessellator, double seconds) {
+void report(const Context& context, const Words& words, const gpu::DeviceInfo& device, const patches::PatchSet& patches,
+            Tessellator& tessellator, double seconds) {
     const MeshTotals& totals = tessellator.totals();
     const StageTimes& times = tessellator.times();
-    say(context, fmt::format("{}: {} patches -> {} vertices, {} triangles on {} ({})", words.output,
-                             patches.patch_count(), totals.vertex_count, totals.index_count / 3, device.id, device.name));
+    say(context,
+        fmt::format("{}: {} patches -> {} vertices, {} triangles on {} ({})", words.output, patches.patch_count(),
+                    totals.vertex_count, totals.index_count / 3, device.id, device.name));
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<StageId>(i);
@@ -82,7 +83,8 @@ void add_tessellate_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
     CLI::App* command = app.add_subcommand("tessellate", "Refine a model and write it as .glb, .obj or .ply");
     command->footer("Example: tessera tessellate fox.glb -o smooth.glb --scheme pn --factor 8 --device opencl");
-    command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")->required();
+    command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")
+        ->required();
     command->add_option("-o,--output", words->output, "The file to write: .glb, .obj or .ply")->required();
     command->add_option("--device", words->device, "reference, vulkan[:index or name] or opencl[:index or name]")
         ->capture_default_str();

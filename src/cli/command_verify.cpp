@@ -8,8 +8,8 @@
 #include "cli/progress.hpp"
 #include "verify/compare_jobs.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -44,16 +44,19 @@ std::vector<gpu::Device> open_devices(const Context& context, const Words& words
     std::vector<gpu::Device> devices{backends::open_device("reference")};
     for (const std::string& id : ids) {
         gpu::Device device = backends::open_device(id);
-        const bool known = std::ranges::any_of(devices, [&](const gpu::Device& d) { return d.info().id == device.info().id; });
+        const bool known =
+            std::ranges::any_of(devices, [&](const gpu::Device& d) { return d.info().id == device.info().id; });
         if (!known) {
             devices.push_back(std::move(device));
         }
     }
     for (const std::string& backend : words.required) {
         if (std::ranges::none_of(devices, [&](const gpu::Device& d) { return d.info().backend == backend; })) {
-            throw Error(ErrorKind::device_unavailable,
-                        fmt::format("The backend {} is required, but none of the devices compared has it; `tessera devices` "
-                                    "says why.", backend));
+            throw Error(
+                ErrorKind::device_unavailable,
+                fmt::format("The backend {} is required, but none of the devices compared has it; `tessera devices` "
+                            "says why.",
+                            backend));
         }
     }
     return devices;
@@ -61,7 +64,8 @@ std::vector<gpu::Device> open_devices(const Context& context, const Words& words
 
 // A column heading that fits: the id and the first word of the name.
 std::string heading(const gpu::DeviceInfo& info) {
-    return info.backend == "reference" ? info.id : fmt::format("{} {}", info.id, info.name.substr(0, info.name.find(' ')));
+    return info.backend == "reference" ? info.id
+                                       : fmt::format("{} {}", info.id, info.name.substr(0, info.name.find(' ')));
 }
 
 void print(const std::string& title, const std::vector<DeviceComparison>& results) {
@@ -78,8 +82,10 @@ void print(const std::string& title, const std::vector<DeviceComparison>& result
         for (std::size_t d = 0; d < results.size(); ++d) {
             const verify::StageComparison& stage = results[d].stages[s];
             const bool compared = stage.words > 0 || s < static_cast<std::size_t>(StageId::vertices);
-            fmt::print("  {:>{}}", stage.differing == 0 ? (compared ? "same bits" : "-") : fmt::format("{} differ", stage.differing),
-                       widths[d]);
+            fmt::print(
+                "  {:>{}}",
+                stage.differing == 0 ? (compared ? "same bits" : "-") : fmt::format("{} differ", stage.differing),
+                widths[d]);
         }
         fmt::print("\n");
     }
@@ -171,7 +177,8 @@ std::vector<JobWords> variants(const Words& words) {
 
 int run(const Context& context, const Words& words) {
     if (!words.oracle.empty()) {
-        const std::vector<std::string> devices = words.devices.empty() ? std::vector<std::string>{"reference"} : words.devices;
+        const std::vector<std::string> devices =
+            words.devices.empty() ? std::vector<std::string>{"reference"} : words.devices;
         return verify_with_oracle(context, {words.inputs, devices, words.load, variants(words), words.all, words.json});
     }
     const std::vector<gpu::Device> devices = open_devices(context, words);
@@ -192,8 +199,8 @@ int run(const Context& context, const Words& words) {
             if (words.json) {
                 documents.push_back(to_json(input, options, job.factor, results));
             } else if (!words.markdown) {
-                print(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(), job.scheme,
-                                  job.normals, job.partitioning, job.factor),
+                print(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(),
+                                  job.scheme, job.normals, job.partitioning, job.factor),
                       results);
             }
         }
@@ -212,19 +219,25 @@ int run(const Context& context, const Words& words) {
 
 void add_verify_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
-    CLI::App* command = app.add_subcommand("verify", "Run the same job on every device and compare every buffer bit by bit");
+    CLI::App* command =
+        app.add_subcommand("verify", "Run the same job on every device and compare every buffer bit by bit");
     command->footer("Example: tessera verify fox.glb --all --factor random:1..9 --require vulkan,opencl");
     command->add_option("inputs", words->inputs, "Models or built-in shapes")->required();
-    command->add_option("--device", words->devices, "A device to hold against the reference; repeat for more (default: all)");
-    CLI::Option* required = command->add_option("--require", words->required, "Backends that must be among the devices, separated by commas")
-        ->delimiter(',');
+    command->add_option("--device", words->devices,
+                        "A device to hold against the reference; repeat for more (default: all)");
+    CLI::Option* required =
+        command
+            ->add_option("--require", words->required, "Backends that must be among the devices, separated by commas")
+            ->delimiter(',');
     command->add_flag("--all", words->all, "Every scheme, kind of normals and partitioning, one after another");
     command->add_flag("--json", words->json, "Print JSON on stdout");
-    CLI::Option* markdown = command->add_flag("--markdown", words->markdown, "Print one table device x stage over all jobs, for documents");
+    CLI::Option* markdown =
+        command->add_flag("--markdown", words->markdown, "Print one table device x stage over all jobs, for documents");
     command
-        ->add_option("--oracle", words->oracle,
-                     "fixed-function: instead hold the kernels (of --device, default reference) against the tessellation "
-                     "stage of the first device that has one")
+        ->add_option(
+            "--oracle", words->oracle,
+            "fixed-function: instead hold the kernels (of --device, default reference) against the tessellation "
+            "stage of the first device that has one")
         ->check(CLI::IsMember({"fixed-function"}))
         ->excludes(required, markdown);
     add_load_options(*command, words->load);

@@ -3,10 +3,10 @@
 #include "base/error.hpp"
 #include "tessellate/edge_factors.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <optional>
 
 namespace tessera::cli {
@@ -22,9 +22,10 @@ std::optional<float> parse_float(const std::string& text) {
 }
 
 Error bad_factor(const std::string& words, std::size_t wanted) {
-    return {ErrorKind::usage, fmt::format("The factor \"{}\" is not understood; write one number, {} numbers separated by "
-                                          "commas (outer ones first), or for a model random:LEAST..GREATEST[:SEED].",
-                                          words, wanted)};
+    return {ErrorKind::usage,
+            fmt::format("The factor \"{}\" is not understood; write one number, {} numbers separated by "
+                        "commas (outer ones first), or for a model random:LEAST..GREATEST[:SEED].",
+                        words, wanted)};
 }
 
 // "random:1..8" or "random:1..8:42"
@@ -49,8 +50,10 @@ std::vector<PatchFactors> random_factors(const std::string& words, const patches
 Domain domain_of(const std::string& words, const patches::PatchSet& patches) {
     const bool has_triangles = !std::ranges::all_of(patches.corners, patches::is_quad);
     if (patches.has_quads && has_triangles && words.find(',') != std::string::npos) {
-        throw Error(ErrorKind::usage, fmt::format("The factors \"{}\" cannot hold for triangles and quads alike, and the model "
-                                                  "has both; write one number or random:LEAST..GREATEST[:SEED].", words));
+        throw Error(ErrorKind::usage,
+                    fmt::format("The factors \"{}\" cannot hold for triangles and quads alike, and the model "
+                                "has both; write one number or random:LEAST..GREATEST[:SEED].",
+                                words));
     }
     return patches.has_quads ? Domain::quad : Domain::triangle;
 }
@@ -84,12 +87,18 @@ PatchFactors factors_from_words(const std::string& words, Domain domain) {
 void add_job_options(CLI::App& command, JobWords& words) {
     command.add_option("--scheme", words.scheme, "Surface: linear, phong or pn")->capture_default_str();
     command.add_option("--normals", words.normals, "How normals vary: linear or quadratic")->capture_default_str();
-    command.add_option("--factor", words.factor, "Tessellation factor: F, or all of a patch (4 for triangles, 6 for quads), or random:LEAST..GREATEST[:SEED]")
+    command
+        .add_option("--factor", words.factor,
+                    "Tessellation factor: F, or all of a patch (4 for triangles, 6 for quads), or "
+                    "random:LEAST..GREATEST[:SEED]")
         ->capture_default_str();
-    command.add_option("--partitioning", words.partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
+    command
+        .add_option("--partitioning", words.partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
         ->capture_default_str();
     command.add_option("--alpha", words.alpha, "Shape factor of phong, 0 flat to 1 full")->capture_default_str();
-    command.add_option("--memory-budget", words.memory_budget, "Device memory for the job, such as 64M or 2G (default 512M)")
+    command
+        .add_option("--memory-budget", words.memory_budget,
+                    "Device memory for the job, such as 64M or 2G (default 512M)")
         ->transform(CLI::AsSizeValue(false));
 }
 

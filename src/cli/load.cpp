@@ -10,14 +10,18 @@ namespace {
 scene::NgonMode ngons_from_name(const std::string& name) {
     if (name == "split") return scene::NgonMode::split;
     if (name == "fan") return scene::NgonMode::fan;
-    throw Error(ErrorKind::usage, fmt::format("There is no way of treating polygons named \"{}\"; choose split or fan.", name));
+    throw Error(ErrorKind::usage,
+                fmt::format("There is no way of treating polygons named \"{}\"; choose split or fan.", name));
 }
 
 }  // namespace
 
 void add_load_options(CLI::App& command, LoadWords& words) {
-    command.add_option("--ngons", words.ngons, "Faces of more than four corners: split (all faces of the file become quads) "
-                                               "or fan (they become triangles)")->capture_default_str();
+    command
+        .add_option("--ngons", words.ngons,
+                    "Faces of more than four corners: split (all faces of the file become quads) "
+                    "or fan (they become triangles)")
+        ->capture_default_str();
 }
 
 scene::Scene load(const Context& context, const std::string& input, const LoadWords& words) {

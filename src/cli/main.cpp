@@ -2,8 +2,8 @@
 #include "base/error.hpp"
 #include "cli/command.hpp"
 
-#include <exception>
 #include <fmt/format.h>
+#include <exception>
 #include <new>
 
 namespace tessera::cli {
@@ -22,9 +22,10 @@ int fail(ErrorKind kind, const std::string& sentence) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Tessera makes coarse meshes smooth with compute kernels: no tessellation stage, the same bits on every "
-                 "device.\nExit codes: 0 fine, 1 a check found a difference, 2 usage or input, 3 device unavailable, 4 "
-                 "output could not be written.");
+    CLI::App app(
+        "Tessera makes coarse meshes smooth with compute kernels: no tessellation stage, the same bits on every "
+        "device.\nExit codes: 0 fine, 1 a check found a difference, 2 usage or input, 3 device unavailable, 4 "
+        "output could not be written.");
     app.set_version_flag("--version", "tessera " TESSERA_VERSION);
     app.require_subcommand(1);
     app.fallthrough();

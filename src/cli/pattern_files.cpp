@@ -1,7 +1,7 @@
 #include "cli/pattern_files.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <iterator>
 
 namespace tessera::cli {
@@ -18,7 +18,9 @@ Place place(const DomainPoint& point, Domain domain) {
     return domain == Domain::triangle ? Place{u + 0.5 * v, std::sqrt(0.75) * v} : Place{u, v};
 }
 
-std::size_t corners_of(Domain domain) { return domain == Domain::isoline ? 2 : 3; }
+std::size_t corners_of(Domain domain) {
+    return domain == Domain::isoline ? 2 : 3;
+}
 
 }  // namespace
 

@@ -8,9 +8,9 @@
 
 namespace tessera::cli {
 
-/// The pattern as an SVG of 640 units width, outlines of its triangles or lines. Triangles lie in an equilateral triangle
-/// with control point 0 (u = 1) at the lower right, 1 (v = 1) at the top, 2 at the lower left; quads and isolines in a
-/// square with u to the right and v up.
+/// The pattern as an SVG of 640 units width, outlines of its triangles or lines. Triangles lie in an equilateral
+/// triangle with control point 0 (u = 1) at the lower right, 1 (v = 1) at the top, 2 at the lower left; quads and
+/// isolines in a square with u to the right and v up.
 std::string pattern_svg(const Pattern& pattern, Domain domain);
 
 /// One line per element after a header: `point,INDEX,U,V` in 16.16, then `triangle,INDEX,A,B,C` or `line,INDEX,A,B`.

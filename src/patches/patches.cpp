@@ -2,16 +2,18 @@
 
 #include "base/error.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace tessera::patches {
 namespace {
 
 constexpr float tiny = 0x1p-60f;
 
-float flush(float x) { return std::fabs(x) < tiny ? 0.0f : x; }
+float flush(float x) {
+    return std::fabs(x) < tiny ? 0.0f : x;
+}
 
 int largest_exponent(const scene::Scene& scene) {
     float largest = 0.0f;
@@ -41,12 +43,13 @@ PatchSet make_patches(const scene::Scene& scene) {
         patch_count += mesh.triangles.size() / 3 + mesh.quads.size() / 4;
     }
     if (patch_count == 0) {
-        throw Error(ErrorKind::usage, fmt::format("{} holds no triangles or quads, so there is nothing to tessellate.",
-                                                  scene.source));
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} holds no triangles or quads, so there is nothing to tessellate.", scene.source));
     }
     if (vertex_count > 0xffffffffull) {
         throw Error(ErrorKind::usage, fmt::format("{} holds {} vertices, more than the 4294967295 that 32-bit indices "
-                                                  "can address; split the model.", scene.source, vertex_count));
+                                                  "can address; split the model.",
+                                                  scene.source, vertex_count));
     }
     PatchSet set;
     set.exponent = largest_exponent(scene);
@@ -54,7 +57,8 @@ PatchSet make_patches(const scene::Scene& scene) {
     set.corners.reserve(patch_count);
     for (const scene::Mesh& mesh : scene.meshes) {
         const auto base = static_cast<std::uint32_t>(set.control_vertices.size());
-        set.ranges.push_back({mesh.name, mesh.material, set.patch_count(), mesh.triangles.size() / 3 + mesh.quads.size() / 4});
+        set.ranges.push_back(
+            {mesh.name, mesh.material, set.patch_count(), mesh.triangles.size() / 3 + mesh.quads.size() / 4});
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             set.control_vertices.push_back(control_vertex(mesh, i, set.exponent));
         }

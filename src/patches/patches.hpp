@@ -25,7 +25,9 @@ inline constexpr std::uint32_t no_corner = 0xffffffffu;
 /// Four control vertices around a face; the fourth of a triangle is no_corner.
 using PatchCorners = std::array<std::uint32_t, 4>;
 
-inline bool is_quad(const PatchCorners& corners) { return corners[3] != no_corner; }
+inline bool is_quad(const PatchCorners& corners) {
+    return corners[3] != no_corner;
+}
 
 /// Triangle and quad patches over shared control vertices, in the order of the scene's meshes; of each mesh, triangles
 /// before quads.

@@ -54,9 +54,9 @@ struct SubdivisionTags {
 };
 
 /// One primitive of one node, or the faces of one object, group and material. All values are finite and no number is a
-/// negative zero in positions, so equal positions have equal bits. Winding is counter-clockwise from the front, mirrored
-/// nodes included. No triangle or quad names a vertex twice, but it may have no area, and a quad need be neither plane
-/// nor convex. A mesh has at least one triangle or quad.
+/// negative zero in positions, so equal positions have equal bits. Winding is counter-clockwise from the front,
+/// mirrored nodes included. No triangle or quad names a vertex twice, but it may have no area, and a quad need be
+/// neither plane nor convex. A mesh has at least one triangle or quad.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;  ///< world space

@@ -5,11 +5,11 @@
 #include "tessellate/launch_shape.hpp"
 #include "tessellate/stage_clock.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <fmt/format.h>
 #include <optional>
 
 namespace tessera {
@@ -26,23 +26,27 @@ void check(const patches::PatchSet& patches, const TessellationOptions& options,
     if (const auto* factors = std::get_if<std::vector<PatchFactors>>(&options.factors);
         factors != nullptr && factors->size() != patches.patch_count()) {
         throw Error(ErrorKind::usage, fmt::format("There are {} sets of tessellation factors for {} patches; give one "
-                                                  "set, or one per patch.", factors->size(), patches.patch_count()));
+                                                  "set, or one per patch.",
+                                                  factors->size(), patches.patch_count()));
     }
     if (!(options.alpha >= 0.0f && options.alpha <= 1.0f)) {
-        throw Error(ErrorKind::usage, fmt::format("The shape factor alpha is {}; it must lie in [0, 1].", options.alpha));
+        throw Error(ErrorKind::usage,
+                    fmt::format("The shape factor alpha is {}; it must lie in [0, 1].", options.alpha));
     }
     const std::uint64_t bytes = patches.control_vertices.size() * sizeof(Vertex);
     if (bytes > limits.max_storage_binding_size) {
-        throw Error(ErrorKind::usage, fmt::format("The model has {} control vertices ({} bytes), more than one binding "
-                                                  "of the device holds ({} bytes); split the model.",
-                                                  patches.control_vertices.size(), bytes,
-                                                  limits.max_storage_binding_size));
+        throw Error(ErrorKind::usage,
+                    fmt::format("The model has {} control vertices ({} bytes), more than one binding "
+                                "of the device holds ({} bytes); split the model.",
+                                patches.control_vertices.size(), bytes, limits.max_storage_binding_size));
     }
 }
 
 }  // namespace
 
-std::string_view name(StageId stage) { return stage_names[static_cast<std::size_t>(stage)]; }
+std::string_view name(StageId stage) {
+    return stage_names[static_cast<std::size_t>(stage)];
+}
 
 // The stages that are made for one domain, and the chunk's patches of that domain: their numbers in order, and where
 // their list begins in the buffer of lists.
@@ -56,7 +60,8 @@ struct DomainStages {
     std::pair<std::uint32_t, std::uint32_t> entries(std::uint32_t first_patch, std::uint32_t patch_count) const {
         const auto begin = std::ranges::lower_bound(patches, first_patch);
         const auto end = std::ranges::lower_bound(patches, first_patch + patch_count);
-        return {list_start + static_cast<std::uint32_t>(begin - patches.begin()), static_cast<std::uint32_t>(end - begin)};
+        return {list_start + static_cast<std::uint32_t>(begin - patches.begin()),
+                static_cast<std::uint32_t>(end - begin)};
     }
 };
 
@@ -181,10 +186,16 @@ Job::Job(gpu::Device device, const patches::PatchSet& patches, const Tessellatio
 
 Job::~Job() = default;
 
-void Job::poison_outputs(std::uint32_t word) { state_->poison = word; }
+void Job::poison_outputs(std::uint32_t word) {
+    state_->poison = word;
+}
 
-std::size_t Job::chunk_count() const { return state_->plan.chunks.size(); }
-const Chunk& Job::chunk(std::size_t index) const { return state_->plan.chunks.at(index); }
+std::size_t Job::chunk_count() const {
+    return state_->plan.chunks.size();
+}
+const Chunk& Job::chunk(std::size_t index) const {
+    return state_->plan.chunks.at(index);
+}
 
 const std::vector<PatchOffset>& Job::count(std::size_t index) {
     State& s = *state_;
@@ -206,8 +217,9 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
         pass.end();
         s.clock.mark(encoder, stage);
     };
-    record(StageId::factors,
-           [&](gpu::ComputePass& p) { s.counter.record_factors(p, chunk.patch_count, Domain::triangle, s.options.partitioning, false); });
+    record(StageId::factors, [&](gpu::ComputePass& p) {
+        s.counter.record_factors(p, chunk.patch_count, Domain::triangle, s.options.partitioning, false);
+    });
     record(StageId::counts, [&](gpu::ComputePass& p) { s.counter.record_counts(p, chunk.patch_count); });
     record(StageId::scan, [&](gpu::ComputePass& p) { s.counter.record_scan(p, chunk.patch_count); });
     s.clock.finish(encoder);
@@ -255,8 +267,8 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
         for (const DomainStages& d : s.domains) {
             const auto [first, count] = d.entries(batch.first_patch, batch.patch_count);
             if (count == 0) continue;
-            const kernels::EmitParams params{first, count, lanes, batch.first_vertex, batch.first_index, vertex_base,
-                                             s.stride()};
+            const kernels::EmitParams params{first,       count,     lanes, batch.first_vertex, batch.first_index,
+                                             vertex_base, s.stride()};
             (d.*stage).record(pass, s.parameters.push(params), std::uint64_t{count} << lanes);
         }
         pass.end();
@@ -290,12 +302,15 @@ std::vector<StageView> Job::emitted_views() const {
     };
 }
 
-const StageTimes& Job::times() { return state_->clock.times(); }
+const StageTimes& Job::times() {
+    return state_->clock.times();
+}
 
 std::uint64_t Job::device_bytes() const {
     const State& s = *state_;
     std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes();
-    for (const gpu::Buffer* buffer : {&s.control_vertices, &s.patch_corners, &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
+    for (const gpu::Buffer* buffer :
+         {&s.control_vertices, &s.patch_corners, &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
         bytes += *buffer ? buffer->size() : 0;
     }
     return bytes;

@@ -40,7 +40,8 @@ public:
         const gpu::Limits& limits);
     ~Job();
 
-    /// From now on fills every output with `word` before the stage that writes it, so that elements left unwritten show.
+    /// From now on fills every output with `word` before the stage that writes it, so that elements left unwritten
+    /// show.
     void poison_outputs(std::uint32_t word);
 
     std::size_t chunk_count() const;

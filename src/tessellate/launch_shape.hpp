@@ -7,8 +7,9 @@
 
 namespace tessera {
 
-/// log2 of the items per patch for `patch_count` patches of `elements` elements in all. CPUs run an item as a scalar loop,
-/// so they get one per patch unless that leaves cores idle; GPUs want neighbouring items to write neighbouring elements.
+/// log2 of the items per patch for `patch_count` patches of `elements` elements in all. CPUs run an item as a scalar
+/// loop, so they get one per patch unless that leaves cores idle; GPUs want neighbouring items to write neighbouring
+/// elements.
 inline std::uint32_t lanes_log2(const gpu::DeviceInfo& device, std::uint64_t patch_count, std::uint64_t elements) {
     const std::uint64_t average = patch_count == 0 ? 0 : elements / patch_count;
     std::uint64_t wanted = 1;

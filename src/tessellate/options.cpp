@@ -27,9 +27,15 @@ std::size_t index_of(std::span<const std::string_view> names, std::string_view n
 
 }  // namespace
 
-std::string_view name(Domain domain) { return domain_names.at(static_cast<std::size_t>(domain)); }
-std::string_view name(Scheme scheme) { return scheme_names.at(static_cast<std::size_t>(scheme)); }
-std::string_view name(Normals normals) { return normals_names.at(static_cast<std::size_t>(normals)); }
+std::string_view name(Domain domain) {
+    return domain_names.at(static_cast<std::size_t>(domain));
+}
+std::string_view name(Scheme scheme) {
+    return scheme_names.at(static_cast<std::size_t>(scheme));
+}
+std::string_view name(Normals normals) {
+    return normals_names.at(static_cast<std::size_t>(normals));
+}
 std::string_view name(Partitioning partitioning) {
     return partitioning_names.at(static_cast<std::size_t>(partitioning));
 }

@@ -12,7 +12,9 @@ gpu::Buffer storage_buffer(gpu::Device& device, const char* label, std::uint64_t
         {label, words * 4, BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination});
 }
 
-std::uint64_t blocks(std::uint64_t count) { return (count + SCAN_BLOCK - 1) / SCAN_BLOCK; }
+std::uint64_t blocks(std::uint64_t count) {
+    return (count + SCAN_BLOCK - 1) / SCAN_BLOCK;
+}
 
 }  // namespace
 
@@ -38,9 +40,9 @@ PatchCounter::PatchCounter(gpu::Device& device, std::uint32_t capacity, bool fac
         if (!top) {
             levels_[i].sums = Stage(device, "scan_sums", {levels_[i].values, levels_[i + 1].values}, parameters);
         }
-        levels_[i].spread = Stage(
-            device, "scan_offsets", {levels_[i].values, top ? zero_ : levels_[i + 1].offsets, levels_[i].offsets},
-            parameters);
+        levels_[i].spread =
+            Stage(device, "scan_offsets", {levels_[i].values, top ? zero_ : levels_[i + 1].offsets, levels_[i].offsets},
+                  parameters);
     }
     factors_stage_ = Stage(device, "factors", {factors_, patch_corners ? patch_corners : zero_, records_}, parameters);
     counts_stage_ = Stage(device, "counts", {records_, counts()}, parameters);
@@ -53,8 +55,8 @@ void PatchCounter::upload_factors(gpu::Device& device, std::span<const PatchFact
 void PatchCounter::record_factors(gpu::ComputePass& pass, std::uint32_t patch_count, Domain domain,
                                   Partitioning partitioning, bool flip) {
     const std::uint32_t domain_word = domain_per_patch_ ? DOMAIN_PER_PATCH : static_cast<std::uint32_t>(domain);
-    const kernels::FactorsParams params{patch_count, static_cast<std::uint32_t>(partitioning), domain_word, flip ? 1u : 0u,
-                                        factors_per_patch_ ? 1u : 0u};
+    const kernels::FactorsParams params{patch_count, static_cast<std::uint32_t>(partitioning), domain_word,
+                                        flip ? 1u : 0u, factors_per_patch_ ? 1u : 0u};
     factors_stage_.record(pass, parameters_.push(params), patch_count);
 }
 

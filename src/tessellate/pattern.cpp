@@ -4,8 +4,8 @@
 #include "tessellate/launch_shape.hpp"
 #include "tessellate/patch_counter.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <numeric>
 
 namespace tessera {
@@ -16,8 +16,8 @@ using gpu::BufferUsage;
 // At the largest patch of 4225 points and 8192 triangles, 1,024 patterns take 35 MB of points and 101 MB of indices.
 constexpr std::size_t patterns_per_run = 1024;
 
-void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, bool clockwise, std::span<const PatchFactors> factors,
-                std::vector<Pattern>& patterns) {
+void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, bool clockwise,
+                std::span<const PatchFactors> factors, std::vector<Pattern>& patterns) {
     const auto count = static_cast<std::uint32_t>(factors.size());
     ParameterRing parameters(device, PatchCounter::parameter_slots + 1);
     PatchCounter counter(device, count, true, parameters);
@@ -42,10 +42,13 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
         const gpu::Buffer list = device.create_buffer(
             {"patch list", std::uint64_t{count} * 4, BufferUsage::storage | BufferUsage::copy_destination});
         device.queue().write_buffer(list, 0, std::as_bytes(std::span(every)));
-        const gpu::Buffer point_buffer = device.create_buffer({"domain points", std::uint64_t{total.vertex} * 8, usage});
+        const gpu::Buffer point_buffer =
+            device.create_buffer({"domain points", std::uint64_t{total.vertex} * 8, usage});
         const gpu::Buffer index_buffer = device.create_buffer({"indices", std::uint64_t{total.index} * 4, usage});
-        const Stage points_stage(device, fmt::format("domain_points_{}", name(domain)), {counter.records(), counter.offsets(), list, point_buffer}, parameters);
-        const Stage indices_stage(device, fmt::format("indices_{}", name(domain)), {counter.records(), counter.offsets(), list, index_buffer}, parameters);
+        const Stage points_stage(device, fmt::format("domain_points_{}", name(domain)),
+                                 {counter.records(), counter.offsets(), list, point_buffer}, parameters);
+        const Stage indices_stage(device, fmt::format("indices_{}", name(domain)),
+                                  {counter.records(), counter.offsets(), list, index_buffer}, parameters);
         const std::uint32_t lanes = lanes_log2(device.info(), count, total.vertex);
         parameters.reset();
         const std::uint32_t emit = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0});

@@ -16,8 +16,8 @@ struct DomainPoint {
     std::uint32_t v = 0;
 };
 
-/// What one patch becomes. Indices are patch-local, three per triangle, two per line segment of isolines; both lists are
-/// empty for a culled patch.
+/// What one patch becomes. Indices are patch-local, three per triangle, two per line segment of isolines; both lists
+/// are empty for a culled patch.
 struct Pattern {
     std::vector<DomainPoint> points;
     std::vector<std::uint32_t> indices;

@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "layout.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace tessera {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint64_t largest_patch_vertices = 4225;
 constexpr std::uint64_t largest_patch_indices = 3 * 8192;
 
-// Bytes per patch held while a chunk is worked on: patch indices, list entry, factors, record, counts, offsets, net. The
-// scan's upper levels add less than a hundredth.
+// Bytes per patch held while a chunk is worked on: patch indices, list entry, factors, record, counts, offsets, net.
+// The scan's upper levels add less than a hundredth.
 std::uint64_t chunk_bytes_per_patch(std::uint64_t net_bytes) {
     return (PATCH_CORNERS + 1 + PATCH_FACTORS + RECORD_WORDS + 2 * COUNT_WORDS) * 4 + 1 + net_bytes;
 }
@@ -27,8 +27,8 @@ std::uint32_t net_stride(const TessellationOptions& options, bool has_quads) {
     return has_quads ? QUAD_NET_FLOATS(degree, normal_degree) : NET_FLOATS(degree, normal_degree);
 }
 
-JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes, const TessellationOptions& options,
-                 const gpu::Limits& limits) {
+JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes,
+                 const TessellationOptions& options, const gpu::Limits& limits) {
     const std::uint64_t net_bytes = std::uint64_t{net_stride(options, has_quads)} * 4;
     const std::uint64_t per_patch = chunk_bytes_per_patch(net_bytes);
     constexpr std::uint64_t small_buffers = 64 << 10;  // kernel parameters, query results
@@ -54,8 +54,8 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
         plan.chunks.push_back({first, static_cast<std::uint32_t>(std::min(chunk, patch_count - first))});
     }
     plan.largest_chunk = static_cast<std::uint32_t>(chunk);
-    // A patch has about as many bytes of vertices as of indices in the limit, so each gets half, but never less than the
-    // largest patch needs.
+    // A patch has about as many bytes of vertices as of indices in the limit, so each gets half, but never less than
+    // the largest patch needs.
     const std::uint64_t output = free_bytes - chunk * per_patch;
     const std::uint64_t vertex_share = std::clamp(output / 2, patch_vertex_bytes, output - patch_index_bytes);
     plan.vertex_buffer_bytes = std::min(binding, vertex_share) / sizeof(Vertex) * sizeof(Vertex);
@@ -71,13 +71,15 @@ std::vector<Batch> plan_batches(std::span<const PatchOffset> offsets, const JobP
     for (std::size_t first = 0; first < patch_count;) {
         // The last patch whose end still fits: offsets never decrease, so both conditions are monotone.
         const auto fits = [&](const PatchOffset& end) {
-            return end.vertex - offsets[first].vertex <= most_vertices && end.index - offsets[first].index <= most_indices;
+            return end.vertex - offsets[first].vertex <= most_vertices &&
+                   end.index - offsets[first].index <= most_indices;
         };
         const auto begin = offsets.begin() + static_cast<std::ptrdiff_t>(first) + 1;
         const auto end = std::partition_point(begin, offsets.end(), fits);
         if (end == begin) {
-            throw Error(ErrorKind::usage, fmt::format("A patch of {} vertices does not fit the output buffer of {} bytes.",
-                                                      begin->vertex - offsets[first].vertex, plan.vertex_buffer_bytes));
+            throw Error(ErrorKind::usage,
+                        fmt::format("A patch of {} vertices does not fit the output buffer of {} bytes.",
+                                    begin->vertex - offsets[first].vertex, plan.vertex_buffer_bytes));
         }
         const auto next = static_cast<std::size_t>(end - offsets.begin()) - 1;
         const PatchOffset& from = offsets[first];

@@ -47,8 +47,8 @@ std::uint32_t net_stride(const TessellationOptions& options, bool has_quads);
 /// Cuts `patch_count` patches into chunks so that chunk buffers take about a third of the memory budget, fit a binding
 /// and have 32-bit offsets. `shared_bytes` is what the job holds besides (control vertices). Throws Error(usage)
 /// where the budget cannot hold a single patch, with the least budget that can.
-JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes, const TessellationOptions& options,
-                 const gpu::Limits& limits);
+JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes,
+                 const TessellationOptions& options, const gpu::Limits& limits);
 
 /// Cuts a chunk into batches that fit the plan's buffers. `offsets` has one entry per patch and one for the totals.
 /// Patches without output make no batch of their own.

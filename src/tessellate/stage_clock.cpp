@@ -6,8 +6,8 @@ StageClock::StageClock(gpu::Device& device) {
     times_.measured = device.info().timestamps;
     if (times_.measured) {
         queries_ = device.create_query_set(capacity);
-        resolved_ = device.create_buffer({"timestamps", capacity * 8,
-                                          gpu::BufferUsage::query_resolve | gpu::BufferUsage::copy_source});
+        resolved_ = device.create_buffer(
+            {"timestamps", capacity * 8, gpu::BufferUsage::query_resolve | gpu::BufferUsage::copy_source});
     }
 }
 

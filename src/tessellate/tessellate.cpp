@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cassert>
-#include <fmt/format.h>
 
 namespace tessera {
 namespace {

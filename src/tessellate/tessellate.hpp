@@ -12,8 +12,8 @@
 
 namespace tessera {
 
-/// The units of output positions: the model's, or the scaled ones of the kernels (largest coordinate near 1), which suit
-/// renderers whatever the size of the model.
+/// The units of output positions: the model's, or the scaled ones of the kernels (largest coordinate near 1), which
+/// suit renderers whatever the size of the model.
 enum class Space { model, kernel };
 
 /// Runs a job in two steps, so that a receiver learns the sizes before the first byte.

@@ -2,12 +2,12 @@
 
 #include "base/error.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <fmt/format.h>
 #include <memory>
 
 namespace tessera::verify {
@@ -28,11 +28,12 @@ void note(StageComparison& stage, std::size_t at, std::uint32_t expected, std::u
 }
 
 void compare(StageComparison& stage, const Words& expected, const Words& found, bool floats) {
-    const bool same = expected.size() == found.size() &&
-                      std::memcmp(expected.data(), found.data(), expected.size() * 4) == 0;
+    const bool same =
+        expected.size() == found.size() && std::memcmp(expected.data(), found.data(), expected.size() * 4) == 0;
     for (std::size_t i = 0; i < found.size() && (!same || floats); ++i) {
         // An equal NaN on both sides is still wrong.
-        if (i >= expected.size() || expected[i] != found[i] || (floats && !std::isfinite(std::bit_cast<float>(found[i])))) {
+        if (i >= expected.size() || expected[i] != found[i] ||
+            (floats && !std::isfinite(std::bit_cast<float>(found[i])))) {
             note(stage, i, i < expected.size() ? expected[i] : 0u, found[i], floats);
         }
     }
@@ -45,7 +46,8 @@ void compare(StageComparison& stage, const Words& expected, const Words& found, 
 gpu::Limits common_limits(const std::vector<gpu::Device>& devices) {
     gpu::Limits limits = devices.front().limits();
     for (const gpu::Device& device : devices) {
-        limits.max_storage_binding_size = std::min(limits.max_storage_binding_size, device.limits().max_storage_binding_size);
+        limits.max_storage_binding_size =
+            std::min(limits.max_storage_binding_size, device.limits().max_storage_binding_size);
         limits.max_buffer_size = std::min(limits.max_buffer_size, device.limits().max_buffer_size);
     }
     return limits;
@@ -107,8 +109,9 @@ std::vector<DeviceComparison> compare_jobs(std::vector<gpu::Device> devices, con
             }
             compare_views(runners, results, &Job::emitted_views);
             if (progress) {
-                progress((static_cast<double>(chunk) + static_cast<double>(b + 1) / static_cast<double>(batches->size())) /
-                         static_cast<double>(chunks));
+                progress(
+                    (static_cast<double>(chunk) + static_cast<double>(b + 1) / static_cast<double>(batches->size())) /
+                    static_cast<double>(chunks));
             }
         }
     }

@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 
+#include <fmt/format.h>
 #include <bit>
 #include <charconv>
-#include <fmt/format.h>
 #include <fstream>
 #include <map>
 #include <tuple>
@@ -35,7 +35,8 @@ public:
 
     GoldenCase parse() const {
         GoldenCase result;
-        result.domain = choose<Domain>(0, {{"tri", Domain::triangle}, {"quad", Domain::quad}, {"iso", Domain::isoline}});
+        result.domain =
+            choose<Domain>(0, {{"tri", Domain::triangle}, {"quad", Domain::quad}, {"iso", Domain::isoline}});
         result.partitioning = choose<Partitioning>(1, {{"int", Partitioning::integer},
                                                        {"pow2", Partitioning::pow2},
                                                        {"odd", Partitioning::fractional_odd},

@@ -135,8 +135,9 @@ SurfaceComparison compare_surface(FixedFunctionTessellator& stage, gpu::Device d
                                                   list->size(), patches.patch_count()));
     }
     if (patches.has_quads) {
-        throw Error(ErrorKind::usage, "The fixed-function stage evaluates triangle patches only, and this model has quads; "
-                                      "compare its devices with `tessera verify` instead.");
+        throw Error(ErrorKind::usage,
+                    "The fixed-function stage evaluates triangle patches only, and this model has quads; "
+                    "compare its devices with `tessera verify` instead.");
     }
     const CapturedSurface surface{options.scheme, options.normals, options.alpha};
     SurfaceComparison result;

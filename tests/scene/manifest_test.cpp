@@ -1,5 +1,5 @@
-// Every glTF and OBJ file of the shared models behaves as their MANIFEST says, counts included. The tables are read from the
-// MANIFEST itself, so that a new row is a new test.
+// Every glTF and OBJ file of the shared models behaves as their MANIFEST says, counts included. The tables are read
+// from the MANIFEST itself, so that a new row is a new test.
 #include "scene/gltf_builder.hpp"
 #include "support/environment.hpp"
 
@@ -134,7 +134,8 @@ TEST(Manifest, LoadableObjFilesLoadWithTheirCounts) {
         expect_sound(split);
         ++loaded;
         const std::string& features = row.cells.at("features");
-        if (const auto tag = features.find("holex"); tag != std::string::npos) quads -= std::stoul(features.substr(tag + 5));
+        if (const auto tag = features.find("holex"); tag != std::string::npos)
+            quads -= std::stoul(features.substr(tag + 5));
         if (features.find("deg ") != std::string::npos && ngons == 0) {
             // Degenerate faces are dropped or lose a corner.
             EXPECT_TRUE(has_message(fanned, "corner"));

@@ -20,15 +20,17 @@ inline std::optional<std::filesystem::path> shared_folder() {
 }
 
 /// True in CI, where everything optional is required: a missing device or data folder fails instead of skipping.
-inline bool everything_required() { return std::getenv("TESSERA_REQUIRE_ALL") != nullptr; }
+inline bool everything_required() {
+    return std::getenv("TESSERA_REQUIRE_ALL") != nullptr;
+}
 
 }  // namespace tessera::test
 
 /// Names the shared folder `variable`, or skips the test with a message (fails where everything is required).
-#define TESSERA_SHARED_OR_SKIP(variable)                                                                       \
-    const auto variable##_found = tessera::test::shared_folder();                                              \
-    if (!variable##_found) {                                                                                   \
+#define TESSERA_SHARED_OR_SKIP(variable)                                                                        \
+    const auto variable##_found = tessera::test::shared_folder();                                               \
+    if (!variable##_found) {                                                                                    \
         if (tessera::test::everything_required()) FAIL() << "the shared test data is missing (TESSERA_SHARED)"; \
-        GTEST_SKIP() << "needs the shared test data: set TESSERA_SHARED to its folder";                        \
-    }                                                                                                          \
+        GTEST_SKIP() << "needs the shared test data: set TESSERA_SHARED to its folder";                         \
+    }                                                                                                           \
     const std::filesystem::path variable = *variable##_found

@@ -81,8 +81,7 @@ TEST(QuadSurface, MixedMeshesAreWatertight) {
                 options.factors = random_edge_factors(set, 1.0f, 9.0f, 3);
             }
             const RefinedMesh mesh = tessellate(test::open_device("reference"), set, options);
-            const test::WeldedMesh welded =
-                test::weld(mesh.vertices, mesh.indices, test::WeldBy::position_and_normal);
+            const test::WeldedMesh welded = test::weld(mesh.vertices, mesh.indices, test::WeldBy::position_and_normal);
             EXPECT_EQ(test::find_crack(welded, welded.collapsed == 0), "");
         });
     }
@@ -158,7 +157,8 @@ TEST(QuadSurface, PhongIsTheProjectionOfTheBilinearPoint) {
         const double v = quad.points[i].v / 65536.0;
         const double weights[] = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
         dvec3 q(0.0);
-        for (std::size_t k = 0; k < 4; ++k) q += weights[k] * quad.p[k];
+        for (std::size_t k = 0; k < 4; ++k)
+            q += weights[k] * quad.p[k];
         dvec3 expected(0.0);
         for (std::size_t k = 0; k < 4; ++k) {
             expected += weights[k] * (q - glm::dot(q - quad.p[k], quad.n[k]) * quad.n[k]);
@@ -184,11 +184,13 @@ TEST(QuadSurface, PnIsTheCoonsPatchOfItsEdges) {
         const double v = quad.points[i].v / 65536.0;
         const dvec3 ruled_u = (1 - v) * pn_edge(quad, 0, 1, u) + v * pn_edge(quad, 3, 2, u);
         const dvec3 ruled_v = (1 - u) * pn_edge(quad, 0, 3, v) + u * pn_edge(quad, 1, 2, v);
-        const dvec3 corners = (1 - v) * ((1 - u) * quad.p[0] + u * quad.p[1]) + v * ((1 - u) * quad.p[3] + u * quad.p[2]);
+        const dvec3 corners =
+            (1 - v) * ((1 - u) * quad.p[0] + u * quad.p[1]) + v * ((1 - u) * quad.p[3] + u * quad.p[2]);
         const dvec3 expected = ruled_u + ruled_v - corners;
         const float* found = quad.vertices[i].position;
         EXPECT_LT(glm::length(expected - dvec3{found[0], found[1], found[2]}), 2e-6) << "u " << u << " v " << v;
-        EXPECT_NEAR(std::hypot(quad.vertices[i].normal[0], quad.vertices[i].normal[1], quad.vertices[i].normal[2]), 1.0, 1e-6);
+        EXPECT_NEAR(std::hypot(quad.vertices[i].normal[0], quad.vertices[i].normal[1], quad.vertices[i].normal[2]), 1.0,
+                    1e-6);
     }
 }
 
@@ -200,7 +202,8 @@ TEST(QuadSurface, CornersAreKeptExactly) {
             const bool u_end = quad.points[i].u == 0 || quad.points[i].u == 65536;
             const bool v_end = quad.points[i].v == 0 || quad.points[i].v == 65536;
             if (!u_end || !v_end) continue;
-            const std::size_t corner = quad.points[i].v == 0 ? (quad.points[i].u == 0 ? 0 : 1) : (quad.points[i].u == 0 ? 3 : 2);
+            const std::size_t corner =
+                quad.points[i].v == 0 ? (quad.points[i].u == 0 ? 0 : 1) : (quad.points[i].u == 0 ? 3 : 2);
             const float* found = quad.vertices[i].position;
             EXPECT_EQ((dvec3{found[0], found[1], found[2]}), quad.p[corner]);
             EXPECT_EQ(quad.vertices[i].uv[0], float(corner));
