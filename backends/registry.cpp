@@ -81,7 +81,8 @@ std::string describe(const Search& search) {
         text += " nothing";
     }
     for (const gpu::UnusableDevice& device : search.unusable) {
-        text += fmt::format("\n  {} ({}) cannot be used: {}", device.id, device.name, device.reason);
+        const std::string name = device.name.empty() ? "" : fmt::format(" ({})", device.name);
+        text += fmt::format("\n  {}{} cannot be used: {}", device.id, name, device.reason);
     }
     return text;
 }

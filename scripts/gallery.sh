@@ -35,5 +35,9 @@ pair() { # OUTPUT MODEL CAMERA
 pair fox.png "$models/Fox/Fox.glb" -40,12
 pair avocado.png "$models/Avocado/Avocado.gltf" -25,15
 pair suzanne.png "$models/SuzanneBlender/02_suzanne.gltf" 25,10
-pair figure.png "$models/RiggedFigure/RiggedFigure.glb" 30,8
+panel split "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460 --scheme linear --factor 1
+panel cracks "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460 --scheme pn --factor 8
+panel round "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460 --scheme pn --factor 8 --smooth-normals
+beside figure.png "$panels/split.png" "$panels/cracks.png" "$panels/round.png"
+pair spot.png "$models/spot/spot_control_mesh.obj" -35,12
 pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22

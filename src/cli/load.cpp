@@ -22,10 +22,13 @@ void add_load_options(CLI::App& command, LoadWords& words) {
                     "Faces of more than four corners: split (all faces of the file become quads) "
                     "or fan (they become triangles)")
         ->capture_default_str();
+    command.add_flag("--smooth-normals", words.smooth_normals,
+                     "Replace the model's normals by smooth ones, welded by position: hard edges become round, without "
+                     "cracks");
 }
 
 scene::Scene load(const Context& context, const std::string& input, const LoadWords& words) {
-    scene::Scene scene = scene::load_scene(input, {.ngons = ngons_from_name(words.ngons)});
+    scene::Scene scene = scene::load_scene(input, {ngons_from_name(words.ngons), words.smooth_normals});
     for (const std::string& message : scene.messages) {
         say(context, message);
     }

@@ -12,6 +12,7 @@ namespace tessera::cli {
 /// Raw words of the options about input.
 struct LoadWords {
     std::string ngons = "split";
+    bool smooth_normals = false;
 };
 
 void add_load_options(CLI::App& command, LoadWords& words);

@@ -2,6 +2,7 @@
 #include "scene/diagnostics.hpp"
 #include "scene/load_gltf.hpp"
 #include "scene/load_obj.hpp"
+#include "scene/normals.hpp"
 #include "scene/scene.hpp"
 #include "scene/shapes.hpp"
 
@@ -19,9 +20,7 @@ std::string lower_case_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-}  // namespace
-
-Scene load_scene(const std::string& name, const LoadOptions& options) {
+Scene load_as_given(const std::string& name, const LoadOptions& options) {
     if (is_shape(name)) return make_shape(name);
     const std::filesystem::path path(name);
     const std::string extension = lower_case_extension(path);
@@ -30,6 +29,19 @@ Scene load_scene(const std::string& name, const LoadOptions& options) {
     throw Error(ErrorKind::usage, fmt::format("{}: the extension {} is not known; .gltf, .glb and .obj files and "
                                               "shape:NAME can be read.",
                                               name, in_quotes(extension)));
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& name, const LoadOptions& options) {
+    Scene scene = load_as_given(name, options);
+    if (options.smooth_normals) {
+        for (Mesh& mesh : scene.meshes) {
+            mesh.normals.assign(mesh.positions.size(), glm::vec3(0.0f));
+        }
+        complete_normals(scene.meshes);
+    }
+    return scene;
 }
 
 }  // namespace tessera::scene

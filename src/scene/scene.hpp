@@ -89,6 +89,9 @@ enum class NgonMode {
 
 struct LoadOptions {
     NgonMode ngons = NgonMode::split;
+    /// Replaces all normals by angle-weighted ones over the whole scene, welded by position: hard edges become round,
+    /// and a closed model stays closed under every scheme.
+    bool smooth_normals = false;
 };
 
 /// Loads `name`: a .gltf or .glb file (glTF 2.0), a .obj file (Wavefront, polygons), or a built-in shape (see

@@ -112,6 +112,12 @@ std::vector<GoldenCase> read_golden_file(const std::filesystem::path& path) {
         if (!line.empty() && line.back() == '\r') {
             line.pop_back();
         }
+        if (number == 1 && !line.starts_with("domain,")) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("{} is no golden file: its first line is not the header that begins "
+                                    "with \"domain,\".",
+                                    path.string()));
+        }
         if (number == 1 || line.empty()) {
             continue;
         }

@@ -81,6 +81,17 @@ TEST(Watertight, LargeFactors) {
     }
 }
 
+// The pawn has hard edges, where the schemes open cracks; with smooth normals it has none.
+TEST(Watertight, SmoothNormalsCloseHardEdges) {
+    const std::string pawn = std::string(TESSERA_SOURCE_DIR) + "/assets/pawn.glb";
+    EXPECT_FALSE(test::closed_and_smooth(patches::make_patches(scene::load_scene(pawn))));
+    const patches::PatchSet set = patches::make_patches(scene::load_scene(pawn, {.smooth_normals = true}));
+    ASSERT_TRUE(test::closed_and_smooth(set));
+    TessellationOptions options;
+    options.factors = random_edge_factors(set, 1.0f, 9.0f, 8);
+    expect_closed(set, options, "pawn");
+}
+
 TEST(Watertight, ModelsOfOthers) {
     TESSERA_SHARED_OR_SKIP(shared);
     std::size_t closed = 0;

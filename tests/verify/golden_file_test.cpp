@@ -88,6 +88,8 @@ TEST(GoldenFiles, FilesWithoutCasesAreRefused) {
     EXPECT_THROW(read_golden_file("/"), Error);
     EXPECT_THROW(read_golden_file(GoldenFile("").path()), Error);
     EXPECT_THROW(read_golden_file(GoldenFile(header).path()), Error);
+    // Without its header a file would lose its first case unseen.
+    EXPECT_THROW(read_golden_file(GoldenFile(one + "\n" + one + "\n").path()), Error);
 }
 
 TEST(GoldenFiles, HashIsThatOfTheFormat) {
