@@ -39,5 +39,5 @@ panel split "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460
 panel cracks "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460 --scheme pn --factor 8
 panel round "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460 --scheme pn --factor 8 --smooth-normals
 beside figure.png "$panels/split.png" "$panels/cracks.png" "$panels/round.png"
-pair spot.png "$models/spot/spot_control_mesh.obj" -35,12
+pair spot.png "$models/spot/spot_control_mesh.obj" 150,10
 pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22
