@@ -1,10 +1,10 @@
 // tessera pattern: shows one domain pattern, or checks a file of golden ones.
 #include "backends/registry.hpp"
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "cli/command.hpp"
 #include "cli/job_options.hpp"
 #include "cli/pattern_files.hpp"
-#include "export/output_file.hpp"
 #include "verify/golden.hpp"
 
 #include <fmt/format.h>
@@ -62,10 +62,8 @@ void draw(const Pattern& pattern, Domain domain, const Words& words) {
     image::write_png(rasteriser->finish(), words.output);
 }
 
-void write_file(const std::string& path, const std::string& text) {
-    exporting::OutputFile file(path);
-    file.write_at(0, std::as_bytes(std::span(text)));
-    file.publish();
+void write_text(const std::string& path, const std::string& text) {
+    write_file(path, std::as_bytes(std::span(text)));
 }
 
 int show(const Context& context, const Words& words) {
@@ -83,9 +81,9 @@ int show(const Context& context, const Words& words) {
     if (words.output.empty()) {
         fmt::print("{}", pattern_csv(pattern, domain));
     } else if (extension == ".svg") {
-        write_file(words.output, pattern_svg(pattern, domain));
+        write_text(words.output, pattern_svg(pattern, domain));
     } else if (extension == ".csv") {
-        write_file(words.output, pattern_csv(pattern, domain));
+        write_text(words.output, pattern_csv(pattern, domain));
     } else if (extension == ".png") {
         draw(pattern, domain, words);
     } else {

@@ -1,9 +1,9 @@
 // Binary glTF: a header, the JSON, and one binary chunk whose layout is known beforehand. Only the boxes around the
 // positions are not, so the JSON is written last, padded with spaces to the room left for it.
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "export/batch_check.hpp"
 #include "export/glb_header.hpp"
-#include "export/output_file.hpp"
 #include "export/writers.hpp"
 
 #include <fmt/format.h>

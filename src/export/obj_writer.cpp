@@ -1,8 +1,8 @@
 // Wavefront OBJ and its material library. OBJ counts vertices over the whole file, so vertices and faces can take
 // turns, batch after batch.
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "export/batch_check.hpp"
-#include "export/output_file.hpp"
 #include "export/writers.hpp"
 
 #include <fmt/format.h>

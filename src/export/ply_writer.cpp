@@ -1,7 +1,7 @@
 // Binary PLY: a text header, the vertices as they are in memory, then the faces. The header gives all sizes, so both
 // regions fill at known offsets.
+#include "base/output_file.hpp"
 #include "export/batch_check.hpp"
-#include "export/output_file.hpp"
 #include "export/writers.hpp"
 
 #include <fmt/format.h>

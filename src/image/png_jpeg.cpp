@@ -1,14 +1,13 @@
 // PNG and JPEG through stb, with every size checked first.
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "image/image.hpp"
 #include "image/jpeg_check.hpp"
 #include "image/stb.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
 #include <limits>
 #include <memory>
-#include <random>
 
 namespace tessera::image {
 
@@ -39,24 +38,6 @@ void require_sound(const Image& image) {
                                                    image.width, image.height, image.rgba.size(), expected));
     }
 }
-
-/// Removes the temporary file unless it was renamed.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const std::filesystem::path& target) : path_(target) {
-        path_ += fmt::format(".{:08x}.tmp", std::random_device{}());
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 }  // namespace
 
@@ -102,22 +83,7 @@ std::vector<std::byte> encode_png(const Image& image) {
 }
 
 void write_png(const Image& image, const std::filesystem::path& path) {
-    const std::vector<std::byte> png = encode_png(image);
-    const TemporaryFile temporary(path);
-    std::ofstream file(temporary.path(), std::ios::binary);
-    file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    file.close();
-    if (!file) {
-        throw Error(ErrorKind::output,
-                    fmt::format("'{}' could not be written: check that its folder exists, may be written and has {} "
-                                "bytes free.",
-                                path.string(), png.size()));
-    }
-    std::error_code error;
-    std::filesystem::rename(temporary.path(), path, error);
-    if (error) {
-        throw Error(ErrorKind::output, fmt::format("'{}' could not be written: {}.", path.string(), error.message()));
-    }
+    write_file(path, encode_png(image));
 }
 
 }  // namespace tessera::image

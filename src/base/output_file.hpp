@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace tessera::exporting {
+namespace tessera {
 
 /// Grows under a temporary name in the folder of `target` and takes its place in publish(). Without publish() the
 /// temporary file is removed and `target` stays as it was. Every failure throws Error(output) with path and reason.
@@ -38,6 +38,9 @@ private:
     int descriptor_ = -1;
 };
 
+/// Writes a whole file at once. Throws Error(output) like OutputFile.
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
 /// Appends text to an OutputFile in large pieces.
 class TextOutput {
 public:
@@ -54,4 +57,4 @@ private:
     std::uint64_t written_ = 0;
 };
 
-}  // namespace tessera::exporting
+}  // namespace tessera

@@ -1,4 +1,4 @@
-#include "export/output_file.hpp"
+#include "base/output_file.hpp"
 
 #include "base/error.hpp"
 
@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace tessera::exporting {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,6 +109,12 @@ void OutputFile::publish() {
     temporary_.clear();
 }
 
+void write_file(const fs::path& path, std::span<const std::byte> bytes) {
+    OutputFile file(path);
+    file.write_at(0, bytes);
+    file.publish();
+}
+
 void TextOutput::flush_if_large() {
     if (pending_.size() >= text_piece) flush();
 }
@@ -119,4 +125,4 @@ void TextOutput::flush() {
     pending_.clear();
 }
 
-}  // namespace tessera::exporting
+}  // namespace tessera
