@@ -45,7 +45,7 @@ std::vector<PatchFactors> distinct_factors(const TessellationOptions& options) {
     return distinct;
 }
 
-Findings compare(verify::FixedFunctionTessellator& stage, gpu::Device device, const patches::PatchSet& patches,
+Findings compare(verify::FixedFunctionTessellator& stage, const gpu::Device& device, const patches::PatchSet& patches,
                  const TessellationOptions& options, const std::function<void(double)>& progress) {
     Findings findings{device.info().id, {}, {}};
     const std::vector<PatchFactors> factors = distinct_factors(options);

@@ -44,7 +44,8 @@ void scale_to_model(std::vector<Vertex>& vertices, int exponent) {
 
 }  // namespace
 
-Tessellator::Tessellator(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options)
+Tessellator::Tessellator(const gpu::Device& device, const patches::PatchSet& patches,
+                         const TessellationOptions& options)
     : device_(device), patches_(patches), job_(device, patches, options, device.limits()) {
     for (const patches::PatchRange& range : patches.ranges) {
         totals_.parts.push_back({range.name, range.material});

@@ -21,7 +21,7 @@ class Tessellator {
 public:
     /// Counts the output. Device and patches must outlive the tessellator. Throws Error(usage) for options that do not
     /// fit; see Job.
-    Tessellator(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options);
+    Tessellator(const gpu::Device& device, const patches::PatchSet& patches, const TessellationOptions& options);
 
     /// Sizes of the whole output and of the part made from each mesh of the scene.
     const MeshTotals& totals() const { return totals_; }

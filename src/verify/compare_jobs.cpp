@@ -77,14 +77,14 @@ bool DeviceComparison::equal() const {
     return std::ranges::all_of(stages, [](const StageComparison& stage) { return stage.differing == 0; });
 }
 
-std::vector<DeviceComparison> compare_jobs(std::vector<gpu::Device> devices, const patches::PatchSet& patches,
+std::vector<DeviceComparison> compare_jobs(const std::vector<gpu::Device>& devices, const patches::PatchSet& patches,
                                            const TessellationOptions& options,
                                            const std::function<void(double)>& progress) {
     assert(!devices.empty());
     const gpu::Limits limits = common_limits(devices);
     std::vector<Runner> runners;
     std::vector<DeviceComparison> results;
-    for (gpu::Device& device : devices) {
+    for (const gpu::Device& device : devices) {
         results.push_back({device.info(), {}});
         runners.push_back({device, std::make_unique<Job>(device, patches, options, limits)});
         runners.back().job->poison_outputs(0xa5a5a5a5u + static_cast<std::uint32_t>(runners.size()));

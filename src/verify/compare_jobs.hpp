@@ -35,7 +35,7 @@ struct DeviceComparison {
 /// Runs the job on `devices` (the first is what the others are held against; one result per device, the first one's
 /// tells non-finite values only). Outputs are filled beforehand with a different word on every device, so that an
 /// element left unwritten differs. `progress` (may be empty) is called with the fraction done.
-std::vector<DeviceComparison> compare_jobs(std::vector<gpu::Device> devices, const patches::PatchSet& patches,
+std::vector<DeviceComparison> compare_jobs(const std::vector<gpu::Device>& devices, const patches::PatchSet& patches,
                                            const TessellationOptions& options,
                                            const std::function<void(double)>& progress = {});
 

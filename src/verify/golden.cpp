@@ -135,7 +135,7 @@ std::vector<GoldenCase> read_golden_file(const std::filesystem::path& path) {
     return cases;
 }
 
-std::vector<GoldenMismatch> check_golden_cases(gpu::Device device, const std::vector<GoldenCase>& cases) {
+std::vector<GoldenMismatch> check_golden_cases(const gpu::Device& device, const std::vector<GoldenCase>& cases) {
     // Cases of one domain, partitioning and topology go through the device together.
     std::map<std::tuple<Domain, Partitioning, bool>, std::vector<const GoldenCase*>> groups;
     for (const GoldenCase& one : cases) {
@@ -152,7 +152,7 @@ std::vector<GoldenMismatch> check_golden_cases(gpu::Device device, const std::ve
         for (std::size_t i = 0; i < group.size(); ++i) {
             GoldenMismatch result = recompute(*group[i], patterns[i]);
             if (!matches(result)) {
-                mismatches.push_back(std::move(result));
+                mismatches.push_back(result);
             }
         }
     }

@@ -34,7 +34,7 @@ struct GoldenMismatch {
 };
 
 /// Recomputes every case on the device.
-std::vector<GoldenMismatch> check_golden_cases(gpu::Device device, const std::vector<GoldenCase>& cases);
+std::vector<GoldenMismatch> check_golden_cases(const gpu::Device& device, const std::vector<GoldenCase>& cases);
 
 /// One sentence about a mismatch.
 std::string describe(const GoldenMismatch& mismatch);

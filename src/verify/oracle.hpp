@@ -28,7 +28,7 @@ struct DomainComparison {
 /// it starts; segments, whichever end comes first. The order of triangles is the stage's own affair in Vulkan, and so
 /// is whether a patch lives whose outer factor is a positive denormal (lavapipe flushes it to zero, which culls).
 /// Throws Error(usage) for pow2 and uniform, which Vulkan has no spacing for.
-DomainComparison compare_domain(FixedFunctionTessellator& stage, gpu::Device device, Domain domain,
+DomainComparison compare_domain(FixedFunctionTessellator& stage, const gpu::Device& device, Domain domain,
                                 Partitioning partitioning, bool clockwise, std::span<const PatchFactors> factors);
 
 /// Two implementations of a surface that share no code round differently, each result by some units in the last place
@@ -55,8 +55,9 @@ struct SurfaceComparison {
 /// and memory budget of the options are used as for any job. `progress` (may be empty) is called with the fraction
 /// done. Throws Error(usage) as compare_domain() does, for quads, and for factors that are neither one set nor one per
 /// patch.
-SurfaceComparison compare_surface(FixedFunctionTessellator& stage, gpu::Device device, const patches::PatchSet& patches,
-                                  const TessellationOptions& options, const std::function<void(double)>& progress = {});
+SurfaceComparison compare_surface(FixedFunctionTessellator& stage, const gpu::Device& device,
+                                  const patches::PatchSet& patches, const TessellationOptions& options,
+                                  const std::function<void(double)>& progress = {});
 
 /// The domain point of captured coordinates; nothing where they are not exactly one.
 std::optional<DomainPoint> domain_point(const Triple& coordinates, Domain domain);

@@ -119,7 +119,7 @@ bool culled_by_flushing(const CapturedPatch& captured, Domain domain, const Patc
            });
 }
 
-DomainComparison compare_domain(FixedFunctionTessellator& stage, gpu::Device device, Domain domain,
+DomainComparison compare_domain(FixedFunctionTessellator& stage, const gpu::Device& device, Domain domain,
                                 Partitioning partitioning, bool clockwise, std::span<const PatchFactors> factors) {
     DomainComparison result;
     for (std::size_t first = 0; first < factors.size(); first += patches_per_run) {

@@ -79,7 +79,7 @@ struct Slice {
 };
 
 /// The kernels' vertices of a slice, in the space of the kernels.
-std::vector<Vertex> evaluate(gpu::Device device, const Slice& slice, TessellationOptions options) {
+std::vector<Vertex> evaluate(const gpu::Device& device, const Slice& slice, TessellationOptions options) {
     options.factors = slice.factors;
     RefinedMesh mesh;
     Tessellator(device, slice.patches, options).run(mesh, Space::kernel);
@@ -126,8 +126,9 @@ std::string compare_patch(const Pattern& pattern, std::span<const Vertex> vertic
 
 }  // namespace
 
-SurfaceComparison compare_surface(FixedFunctionTessellator& stage, gpu::Device device, const patches::PatchSet& patches,
-                                  const TessellationOptions& options, const std::function<void(double)>& progress) {
+SurfaceComparison compare_surface(FixedFunctionTessellator& stage, const gpu::Device& device,
+                                  const patches::PatchSet& patches, const TessellationOptions& options,
+                                  const std::function<void(double)>& progress) {
     const auto* list = std::get_if<std::vector<PatchFactors>>(&options.factors);
     if (list != nullptr && list->size() != patches.patch_count()) {
         throw Error(ErrorKind::usage, fmt::format("There are {} sets of tessellation factors for {} patches; give one "
