@@ -78,19 +78,10 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
             evaluate_biquadratic(curve_weights_quadratic(point.u, 1.0f), curve_weights_quadratic(point.v, 1.0f), n0, n1,
                                  n2, n3, n01, n12, n23, n30, middle);
 #endif
-        // Opposite normals may cancel; the fallback is the same from every patch.
-        const Vector normal = normalise(blended, make_vector(0.0f, 0.0f, 1.0f));
-        const uint at = (start + i) * VERTEX_FLOATS;
-        vertex_buffer[at] = flush_tiny(position.x);
-        vertex_buffer[at + 1u] = flush_tiny(position.y);
-        vertex_buffer[at + 2u] = flush_tiny(position.z);
-        vertex_buffer[at + 3u] = normal.x;
-        vertex_buffer[at + 4u] = normal.y;
-        vertex_buffer[at + 5u] = normal.z;
-        vertex_buffer[at + 6u] =
-            flush_tiny(blend_bilinear(u, v, nets[uvs], nets[uvs + 2u], nets[uvs + 4u], nets[uvs + 6u]));
-        vertex_buffer[at + 7u] =
-            flush_tiny(blend_bilinear(u, v, nets[uvs + 1u], nets[uvs + 3u], nets[uvs + 5u], nets[uvs + 7u]));
+        const SurfaceVertex vertex = make_surface_vertex(
+            position, blended, blend_bilinear(u, v, nets[uvs], nets[uvs + 2u], nets[uvs + 4u], nets[uvs + 6u]),
+            blend_bilinear(u, v, nets[uvs + 1u], nets[uvs + 3u], nets[uvs + 5u], nets[uvs + 7u]));
+        STORE_SURFACE_VERTEX(vertex_buffer, (start + i) * VERTEX_FLOATS, vertex);
     }
 }
 

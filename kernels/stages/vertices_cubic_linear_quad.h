@@ -1,6 +1,7 @@
 // Vertices of cubic surfaces with linear normals on quads.
 #include "emission.h"
 #include "schemes/quad_basis.h"
+#include "schemes/surface_vertex.h"
 #include "tessellator/quad.h"
 
 #define VERTICES_KERNEL vertices_cubic_linear_quad

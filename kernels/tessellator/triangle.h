@@ -99,6 +99,54 @@ FUNCTION DomainPoint uniform_point(uint level, uint i) {
     return make_domain_point(u, x + y == level ? 65536u - u : even_coordinate(y, level));
 }
 
+/// The points of one side of one ring, the last one left to the next side. Ring 0 is the outer one.
+STRUCT(RingSide) {
+    Edge edge;           // places points along the side
+    uint number;         // 0..2
+    uint first;          // index of its first point
+    uint segments;       // points on it
+    uint from;           // position of its first point on the edge; side 1 runs up from there, the others down
+    uint perpendicular;  // the coordinate that stays; 0 on the outer ring
+};
+
+FUNCTION RingSide triangle_ring_side(TrianglePatch p, uint r, uint number) {
+    RingSide side;
+    side.number = number;
+    if (r == 0u) {
+        const uint start1 = p.edge0.points - 1u;
+        side.edge = choose_edge(number, p.edge0, p.edge1, p.edge2);
+        side.segments = side.edge.points - 1u;
+        side.first = number == 0u ? 0u : (number == 1u ? start1 : start1 + p.edge1.points - 1u);
+        side.from = number == 1u ? 0u : side.segments;
+        side.perpendicular = 0u;
+        return side;
+    }
+    const uint n = p.inside.points;
+    side.edge = p.inside;
+    side.segments = n - 1u - 2u * r;
+    side.first = p.outer_points + ring_start(r, n) + number * side.segments;
+    side.from = number == 1u ? r : n - 1u - r;
+    side.perpendicular = (edge_coordinate(p.inside, r) * 0xaaaau + 0x8000u) >> 16u;
+    return side;
+}
+
+FUNCTION DomainPoint ring_side_point(RingSide side, uint k) {
+    const uint q = side.number == 1u ? side.from + k : side.from - k;
+    const uint across = side.perpendicular;
+    const uint along = edge_coordinate(side.edge, q) - ((across + 1u) >> 1u);
+    return make_domain_point(side.number == 0u ? across : along,
+                             side.number == 0u ? along : (side.number == 1u ? across : 65536u - along - across));
+}
+
+/// True where the patch is made of ring sides and, where its inside factor is even, a centre that comes last.
+FUNCTION bool triangle_has_rings(TrianglePatch p) {
+    return (p.flags & (RECORD_CULLED | RECORD_SINGLE | RECORD_UNIFORM)) == 0u;
+}
+
+FUNCTION DomainPoint triangle_centre() {
+    return make_domain_point(0x5555u, 0x5555u);
+}
+
 FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
     if ((p.flags & RECORD_SINGLE) != 0u) {
         return make_domain_point(i == 2u ? 65536u : 0u, i == 0u ? 65536u : 0u);
@@ -109,31 +157,23 @@ FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
     if (i < p.outer_points) {
         const uint start1 = p.edge0.points - 1u;
         const uint start2 = start1 + p.edge1.points - 1u;
-        const uint side = i < start1 ? 0u : (i < start2 ? 1u : 2u);
-        const Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
-        const uint k = i - (side == 0u ? 0u : (side == 1u ? start1 : start2));
-        const uint c = edge_coordinate(edge, side == 1u ? k : edge.points - 1u - k);
-        return make_domain_point(side == 0u ? 0u : c, side == 0u ? c : (side == 1u ? 0u : 65536u - c));
+        const RingSide side = triangle_ring_side(p, 0u, i < start1 ? 0u : (i < start2 ? 1u : 2u));
+        return ring_side_point(side, i - side.first);
     }
     const uint n = p.inside.points;
     const uint inner = i - p.outer_points;
-    const uint last = p.rings + (p.inside.odd != 0u ? 0u : 1u);  // the centre counts as a ring
     uint r = 1u;
     for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
         const uint candidate = r + bit;
-        r = candidate <= last && ring_start(candidate, n) <= inner ? candidate : r;
+        r = candidate <= p.rings && ring_start(candidate, n) <= inner ? candidate : r;
     }
     const uint segments = n - 1u - 2u * r;
-    if (segments == 0u) {
-        return make_domain_point(0x5555u, 0x5555u);
-    }
     const uint q = inner - ring_start(r, n);
-    const uint side = q < segments ? 0u : (q < 2u * segments ? 1u : 2u);
-    const uint k = q - side * segments;
-    const uint perpendicular = (edge_coordinate(p.inside, r) * 0xaaaau + 0x8000u) >> 16u;
-    const uint along = edge_coordinate(p.inside, side == 1u ? r + k : n - 1u - r - k) - ((perpendicular + 1u) >> 1u);
-    return make_domain_point(side == 0u ? perpendicular : along,
-                             side == 0u ? along : (side == 1u ? perpendicular : 65536u - along - perpendicular));
+    if (r > p.rings || q >= 3u * segments) {
+        return triangle_centre();
+    }
+    const RingSide side = triangle_ring_side(p, r, q < segments ? 0u : (q < 2u * segments ? 1u : 2u));
+    return ring_side_point(side, i - side.first);
 }
 
 /// Triangle t of the even grid.
@@ -151,6 +191,72 @@ FUNCTION Triangle uniform_triangle(uint level, uint t) {
     return (k & 1u) == 0u ? make_triangle(low, low + 1u, high) : make_triangle(low + 1u, high + 1u, high);
 }
 
+/// The triangles of one side of a row. Row j lies between rings j - 1 and j of points; row 1, at the outer ring, joins
+/// two factors, the others are regular.
+STRUCT(RowSide) {
+    Ring outer;
+    Ring inner;
+    uint outer_offset;  // where the side begins on the outer ring
+    uint inner_offset;
+    uint first;      // index of its first triangle
+    uint triangles;  // on it
+    uint points;     // of the inner ring on this side, both corners included
+};
+
+/// Side `number` of row j >= 2.
+FUNCTION RowSide triangle_row_side(TrianglePatch p, uint j, uint number) {
+    const uint n = p.inside.points;
+    RowSide side;
+    side.points = n - 2u * j;
+    side.triangles = 2u * side.points;
+    // Row j begins after 6 ((j - 2) N - (j - 1) j + 2) triangles of inner rows.
+    const uint before = 6u * ((j - 2u) * n + 2u - (j - 1u) * j);
+    side.first = p.outer_points + 3u * (n - 3u) + before + number * side.triangles;
+    const uint outer_segments = side.points + 1u;
+    const uint outer_start = p.outer_points + ring_start(j - 1u, n);
+    side.outer = make_ring(outer_start, 3u * outer_segments);
+    side.inner = make_ring(outer_start + 3u * outer_segments, 3u * (side.points - 1u));
+    side.outer_offset = number * outer_segments;
+    side.inner_offset = number * (side.points - 1u);
+    return side;
+}
+
+FUNCTION Triangle row_side_triangle(RowSide side, uint s) {
+    return place_row(ring_triangle(s, side.points), side.outer, side.outer_offset, side.inner, side.inner_offset);
+}
+
+/// Triangle t of row 1.
+FUNCTION Triangle triangle_outer_triangle(TrianglePatch p, uint t) {
+    const uint inner_segments = p.inside.points - 3u;
+    const uint start1 = p.edge0.points - 1u;
+    const uint start2 = start1 + p.edge1.points - 1u;
+    const uint count0 = start1 + inner_segments;
+    const uint count01 = start2 + 2u * inner_segments;
+    const uint side = t < count0 ? 0u : (t < count01 ? 1u : 2u);
+    const uint s = t - (side == 0u ? 0u : (side == 1u ? count0 : count01));
+    const Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
+    const Triangle row = transition_triangle(s, edge.half_points - edge.odd, edge.odd,
+                                             p.inside.half_points - p.inside.odd, p.inside.odd);
+    return place_row(row, make_ring(0u, p.outer_points), side == 0u ? 0u : (side == 1u ? start1 : start2),
+                     make_ring(p.outer_points, 3u * inner_segments), side * inner_segments);
+}
+
+/// The innermost row of triangles; the rows are 1..this.
+FUNCTION uint triangle_last_row(TrianglePatch p) {
+    return (p.inside.points - 1u) >> 1u;
+}
+
+/// Triangles of row 1, which come first.
+FUNCTION uint triangle_outer_count(TrianglePatch p) {
+    return p.outer_points + 3u * (p.inside.points - 3u);
+}
+
+/// The one triangle over the last ring, last of all, where the inside factor is odd.
+FUNCTION Triangle triangle_odd_centre(TrianglePatch p) {
+    const uint b = p.outer_points + ring_start(p.rings, p.inside.points);
+    return make_triangle(b, b + 1u, b + 2u);
+}
+
 /// Triangle t as point indices of the patch, with positive area where u points right and v up.
 FUNCTION Triangle triangle_triangle(TrianglePatch p, uint t) {
     if ((p.flags & RECORD_SINGLE) != 0u) {
@@ -159,51 +265,27 @@ FUNCTION Triangle triangle_triangle(TrianglePatch p, uint t) {
     if ((p.flags & RECORD_UNIFORM) != 0u) {
         return uniform_triangle(p.level, t);
     }
-    const uint n = p.inside.points;
-    const uint inner_segments = n - 3u;
-    const uint first_row = p.outer_points + 3u * inner_segments;
-    if (t < first_row) {
-        const uint start1 = p.edge0.points - 1u;
-        const uint start2 = start1 + p.edge1.points - 1u;
-        const uint count0 = start1 + inner_segments;
-        const uint count01 = start2 + 2u * inner_segments;
-        const uint side = t < count0 ? 0u : (t < count01 ? 1u : 2u);
-        const uint s = t - (side == 0u ? 0u : (side == 1u ? count0 : count01));
-        const Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
-        const Triangle row = transition_triangle(s, edge.half_points - edge.odd, edge.odd,
-                                                 p.inside.half_points - p.inside.odd, p.inside.odd);
-        const uint outer_offset = side == 0u ? 0u : (side == 1u ? start1 : start2);
-        const uint inner_offset = side * inner_segments;
-        return place_row(row, make_ring(0u, p.outer_points), outer_offset,
-                         make_ring(p.outer_points, 3u * inner_segments), inner_offset);
+    const uint outer = triangle_outer_count(p);
+    if (t < outer) {
+        return triangle_outer_triangle(p, t);
     }
-    const uint inner = t - first_row;
-    // Row j >= 2 lies between rings j - 1 and j and begins after 6 ((j - 2) N - (j - 1) j + 2) inner triangles.
-    const uint last = (n - 1u) >> 1u;
+    const uint n = p.inside.points;
+    const uint inner = t - outer;
+    const uint last = triangle_last_row(p);
     uint j = 2u;
     for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
         const uint candidate = j + bit;
         const uint before = 6u * ((candidate - 2u) * n + 2u - (candidate - 1u) * candidate);
         j = candidate <= last && before <= inner ? candidate : j;
     }
-    const uint before = 6u * ((j - 2u) * n + 2u - (j - 1u) * j);
-    const uint points = n - 2u * j;  // of ring j's row on one side
-    const uint outer_segments = points + 1u;
-    const uint outer_start = p.outer_points + ring_start(j - 1u, n);
-    if (j > last || inner - before >= 6u * points) {
-        // The odd centre: one triangle over the last ring, which has one segment per side.
-        const uint b = p.outer_points + ring_start(p.rings, n);
-        return make_triangle(b, b + 1u, b + 2u);
+    const RowSide first_side = triangle_row_side(p, j, 0u);
+    const uint s = t - first_side.first;
+    if (j > last || s >= 3u * first_side.triangles) {
+        return triangle_odd_centre(p);
     }
-    const uint s = inner - before;
-    const uint side = s < 2u * points ? 0u : (s < 4u * points ? 1u : 2u);
-    const Triangle row = ring_triangle(s - side * 2u * points, points);
-    const uint inner_segments_here = points - 1u;
-    const uint inner_start = outer_start + 3u * outer_segments;
-    const uint outer_offset = side * outer_segments;
-    const uint inner_offset = side * inner_segments_here;
-    return place_row(row, make_ring(outer_start, 3u * outer_segments), outer_offset,
-                     make_ring(inner_start, 3u * inner_segments_here), inner_offset);
+    const uint number = s < first_side.triangles ? 0u : (s < 2u * first_side.triangles ? 1u : 2u);
+    const RowSide side = triangle_row_side(p, j, number);
+    return row_side_triangle(side, t - side.first);
 }
 
 KERNELS_END

@@ -98,8 +98,9 @@ void RefinedMesh::append(const MeshBatch& batch) {
     indices.insert(indices.end(), batch.indices.begin(), batch.indices.end());
 }
 
-RefinedMesh tessellate(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options) {
-    Tessellator tessellator(std::move(device), patches, options);
+RefinedMesh tessellate(const gpu::Device& device, const patches::PatchSet& patches,
+                       const TessellationOptions& options) {
+    Tessellator tessellator(device, patches, options);
     RefinedMesh mesh;
     mesh.vertices.reserve(tessellator.totals().vertex_count);
     mesh.indices.reserve(tessellator.totals().index_count);

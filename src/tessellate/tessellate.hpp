@@ -50,6 +50,6 @@ struct RefinedMesh : MeshSink {
 };
 
 /// Tessellates into memory.
-RefinedMesh tessellate(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options);
+RefinedMesh tessellate(const gpu::Device& device, const patches::PatchSet& patches, const TessellationOptions& options);
 
 }  // namespace tessera
