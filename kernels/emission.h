@@ -27,6 +27,12 @@ FUNCTION EmissionItem make_emission_item(EmitParams p, uint item) {
 #define VERTEX_START(p, offsets, patch_index) (offsets[(patch_index)*COUNT_WORDS] - (p).first_vertex)
 #define INDEX_START(p, offsets, patch_index) (offsets[(patch_index)*COUNT_WORDS + 1u] - (p).first_index)
 
+/// Writes the point indices of a triangle; `flip` turns its winding round.
+#define STORE_TRIANGLE(buffer, at, base, flip, corners)                \
+    buffer[at] = (base) + (corners).a;                                 \
+    buffer[(at) + 1u] = (base) + ((flip) ? (corners).c : (corners).b); \
+    buffer[(at) + 2u] = (base) + ((flip) ? (corners).b : (corners).c)
+
 KERNELS_END
 
 #endif

@@ -2,11 +2,6 @@
 #include "emission.h"
 #include "tessellator/triangle.h"
 
-#define STORE_TRIANGLE(buffer, at, base, flip, corners)                \
-    buffer[at] = (base) + (corners).a;                                 \
-    buffer[(at) + 1u] = (base) + ((flip) ? (corners).c : (corners).b); \
-    buffer[(at) + 2u] = (base) + ((flip) ? (corners).b : (corners).c)
-
 KERNELS_BEGIN
 
 KERNEL5(indices_triangle, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
