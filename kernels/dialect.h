@@ -13,6 +13,19 @@
 // Work items of one workgroup; WebGPU promises 256, SwiftShader has no more.
 #define WORKGROUP_SIZE 64
 
+// C++ wraps shared code in its namespace, and in one per instruction set where it is compiled for several; the other
+// two have none.
+#if defined(TESSERA_GLSL) || defined(TESSERA_OPENCL)
+#define KERNELS_BEGIN
+#define KERNELS_END
+#elif defined(TESSERA_ISA)
+#define KERNELS_BEGIN namespace tessera::kernels::TESSERA_ISA {
+#define KERNELS_END }
+#else
+#define KERNELS_BEGIN namespace tessera::kernels {
+#define KERNELS_END }
+#endif
+
 #if defined(TESSERA_GLSL)
 
 layout(local_size_x = WORKGROUP_SIZE) in;
@@ -21,8 +34,16 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define STRUCT(name) struct name
 #define float_bits(x) floatBitsToUint(x)
 #define bits_float(x) uintBitsToFloat(x)
-#define to_float(x) float(x)
+#define to_float(x) float(int(x))
 #define to_uint(x) uint(x)
+#define RUN 1u
+#define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
+// The statement for bit = 16, 8, 4, 2 and 1. Written out where runs are vectorised, for a loop in them prevents that;
+// a loop here, for some drivers take minutes over long code.
+#define FOR_BITS(bit, statement)                      \
+    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) { \
+        statement;                                    \
+    }
 
 // Bindings of a kernel: READ and WRITE are storage buffers, UNIFORM is one struct of 32-bit scalars.
 #define READ(slot, type, name)                                                       \
@@ -44,6 +65,19 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define KERNEL4(name, a, b, c, d) a b c d void main()
 #define KERNEL5(name, a, b, c, d, e) a b c d e void main()
 #define KERNEL6(name, a, b, c, d, e, f) a b c d e f void main()
+#define KERNEL7(name, a, b, c, d, e, f, g) a b c d e f g void main()
+
+// A run of vertices to their place: those of vertices first..first + RUN - 1 that are below `count`, of a patch that
+// begins at vertex `start`; `run` holds RUN of each of a vertex's eight words. STREAM_WORDS writes RUN words to a
+// multiple of RUN. Where a device can, both go past its caches. STREAM_END comes after a kernel's last.
+#define STREAM_GROUP 1u  // start + first must be a multiple of this
+#define STREAM_VERTICES(buffer, start, first, count, run)    \
+    for (uint word = 0u; word < 8u; ++word) {                \
+        buffer[8u * ((start) + (first)) + word] = run[word]; \
+    }
+#define STREAM_WORDS(buffer, at, run) buffer[at] = run[0]
+#define STREAM_END
+#define PREFETCH(buffer, at)  // the cache line that holds a word, wanted soon
 
 // Index of the work item over both dimensions of the dispatch.
 #define ITEM (gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * uint(WORKGROUP_SIZE)))
@@ -52,14 +86,17 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 _Pragma("OPENCL FP_CONTRACT OFF")
 
-#define FUNCTION static inline
+#define FUNCTION TESSERA_INLINE
 #define STRUCT(name)          \
     typedef struct name name; \
     struct name
 #define float_bits(x) as_uint(x)
 #define bits_float(x) as_float(x)
-#define to_float(x) ((float)(x))
+#define to_float(x) ((float)(int)(x))
 #define to_uint(x) ((uint)(x))
+#define RUN TESSERA_RUN  // kernels/streaming.h
+#define FOR_RUN(k) TESSERA_FOR_RUN for (uint k = 0u; k < RUN; ++k)
+#define FOR_BITS FOR_BITS_WRITTEN_OUT
 
 #define READ(slot, type, name) __global const type* restrict name
 #define WRITE(slot, type, name) __global type* restrict name
@@ -71,6 +108,13 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define KERNEL4(name, a, b, c, d) __kernel void name(a, b, c, d)
 #define KERNEL5(name, a, b, c, d, e) __kernel void name(a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) __kernel void name(a, b, c, d, e, f)
+#define KERNEL7(name, a, b, c, d, e, f, g) __kernel void name(a, b, c, d, e, f, g)
+
+#define STREAM_GROUP (TESSERA_RUN > 1 ? 2u : 1u)
+#define STREAM_VERTICES TESSERA_STREAM_VERTICES
+#define STREAM_WORDS(buffer, at, run) TESSERA_STREAM_WORDS(buffer + (at), run)
+#define STREAM_END TESSERA_STREAM_END
+#define PREFETCH(buffer, at) TESSERA_PREFETCH(buffer + (at))
 
 #define ITEM ((uint)get_global_id(0) + (uint)get_global_id(1) * (uint)get_global_size(0))
 
@@ -78,10 +122,14 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
-namespace tessera::kernels {
+#include "streaming.h"
 
-using uint = std::uint32_t;
+KERNELS_BEGIN
 
 struct Item {
     uint index;
@@ -102,14 +150,17 @@ struct Uniform {
     const T& operator*() const { return *data; }
 };
 
-}  // namespace tessera::kernels
+KERNELS_END
 
 #define FUNCTION inline
 #define STRUCT(name) struct name
 #define float_bits(x) std::bit_cast<uint>(x)
 #define bits_float(x) std::bit_cast<float>(static_cast<uint>(x))
-#define to_float(x) static_cast<float>(x)
+#define to_float(x) static_cast<float>(static_cast<int>(x))
 #define to_uint(x) static_cast<uint>(x)
+#define RUN 16u
+#define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
+#define FOR_BITS FOR_BITS_WRITTEN_OUT
 
 #define READ(slot, type, name) Read<slot, type> name
 #define WRITE(slot, type, name) Write<slot, type> name
@@ -121,18 +172,38 @@ struct Uniform {
 #define KERNEL4(name, a, b, c, d) inline void name(Item dispatched, a, b, c, d)
 #define KERNEL5(name, a, b, c, d, e) inline void name(Item dispatched, a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) inline void name(Item dispatched, a, b, c, d, e, f)
+#define KERNEL7(name, a, b, c, d, e, f, g) inline void name(Item dispatched, a, b, c, d, e, f, g)
+
+#define STREAM_GROUP 2u
+#define STREAM_VERTICES(buffer, start, first, count, run) tessera_stream_vertices(buffer.data, start, first, count, run)
+#define STREAM_WORDS(buffer, at, run) TESSERA_STREAM_WORDS(buffer.data + (at), run)
+#define STREAM_END TESSERA_STREAM_END
+#define PREFETCH(buffer, at) TESSERA_PREFETCH(buffer.data + (at))
 
 #define ITEM dispatched.index
 
 #endif
 
-// C++ wraps shared code in its namespace; the other two have none.
-#if defined(TESSERA_GLSL) || defined(TESSERA_OPENCL)
-#define KERNELS_BEGIN
-#define KERNELS_END
-#else
-#define KERNELS_BEGIN namespace tessera::kernels {
-#define KERNELS_END }
-#endif
+#define FOR_BITS_WRITTEN_OUT(bit, statement) \
+    {                                        \
+        const uint bit = 16u;                \
+        statement;                           \
+    }                                        \
+    {                                        \
+        const uint bit = 8u;                 \
+        statement;                           \
+    }                                        \
+    {                                        \
+        const uint bit = 4u;                 \
+        statement;                           \
+    }                                        \
+    {                                        \
+        const uint bit = 2u;                 \
+        statement;                           \
+    }                                        \
+    {                                        \
+        const uint bit = 1u;                 \
+        statement;                           \
+    }
 
 #endif

@@ -1,5 +1,6 @@
 // How the work items of an emitting kernel share out the patches of a list: 2^lanes_log2 items, the lanes, take turns
-// on a patch.
+// on a patch, a run of RUN elements at a time. CPUs have long runs, made by branch-free loops of constant length that
+// compilers turn into vector code; elsewhere a run is one element.
 #ifndef TESSERA_EMISSION_H
 #define TESSERA_EMISSION_H
 
@@ -10,22 +11,32 @@ KERNELS_BEGIN
 STRUCT(EmissionItem) {
     uint has_patch;  // 0: the item is beyond the last patch
     uint entry;      // of the patch list
-    uint lane;       // the first element this item makes
-    uint lanes;      // the step to its next one
+    uint first;      // the first element this item makes
+    uint step;       // from one run of its elements to the next
 };
 
 FUNCTION EmissionItem make_emission_item(EmitParams p, uint item) {
     EmissionItem e;
-    e.lanes = 1u << p.lanes_log2;
-    e.lane = item & (e.lanes - 1u);
+    const uint lanes = 1u << p.lanes_log2;
+    e.first = (item & (lanes - 1u)) * RUN;
+    e.step = lanes * RUN;
     e.entry = p.first + (item >> p.lanes_log2);
     e.has_patch = (item >> p.lanes_log2) < p.count ? 1u : 0u;
     return e;
 }
 
-/// Where a patch's vertices and indices begin in the buffers of a batch.
+/// Where a patch's vertices and indices begin in the buffers of a batch, and how many there are.
 #define VERTEX_START(p, offsets, patch_index) (offsets[(patch_index)*COUNT_WORDS] - (p).first_vertex)
+#define VERTEX_COUNT(offsets, patch_index) \
+    (offsets[((patch_index) + 1u) * COUNT_WORDS] - offsets[(patch_index)*COUNT_WORDS])
 #define INDEX_START(p, offsets, patch_index) (offsets[(patch_index)*COUNT_WORDS + 1u] - (p).first_index)
+#define INDEX_COUNT(offsets, patch_index) \
+    (offsets[((patch_index) + 1u) * COUNT_WORDS + 1u] - offsets[(patch_index)*COUNT_WORDS + 1u])
+
+/// Elements of a run that begins at `first` of `count`.
+FUNCTION uint run_length(uint first, uint count) {
+    return count - first < RUN ? count - first : RUN;
+}
 
 /// Writes the point indices of a triangle; `flip` turns its winding round.
 #define STORE_TRIANGLE(buffer, at, base, flip, corners)                \

@@ -37,9 +37,9 @@ FUNCTION float exact_reciprocal(float x) {
     return bits_float(sign | (exponent == 0u || exponent == 255u ? special : finite));
 }
 
-/// 1/sqrt(x) within 1.22 ULP for normal x > 0: at most one float away from the correctly rounded result. 0 and
-/// denormals give +infinity, infinity gives 0, NaN and negative numbers give NaN.
-FUNCTION float exact_rsqrt(float x) {
+/// 1/sqrt(x) within 1.22 ULP for normal, finite x > 0: at most one float away from the correctly rounded result. Any
+/// other x gives some number or other.
+FUNCTION float exact_rsqrt_of_normal(float x) {
     const uint bits = float_bits(x);
     const uint exponent = (bits >> 23u) & 0xffu;
     const uint mantissa = bits & 0x007fffffu;
@@ -49,9 +49,16 @@ FUNCTION float exact_rsqrt(float x) {
     y = y * (1.5f - (0.5f * m) * (y * y));
     y = y * (1.5f - (0.5f * m) * (y * y));
     y = y + (0.5f * y) * (1.0f - (m * y) * y);
-    const uint result = float_bits(y) + ((64u - ((exponent + 1u) >> 1u)) << 23u);
-    const uint special = exponent == 0u ? 0x7f800000u : (bits == 0x7f800000u ? 0u : 0x7fc00000u);
-    return bits_float(exponent == 0u || bits >= 0x7f800000u ? special : result);
+    return bits_float(float_bits(y) + ((64u - ((exponent + 1u) >> 1u)) << 23u));
+}
+
+/// 1/sqrt(x) likewise. 0 and denormals give +infinity, infinity gives 0, NaN and negative numbers give NaN.
+FUNCTION float exact_rsqrt(float x) {
+    const uint bits = float_bits(x);
+    const bool is_normal = (bits - 0x00800000u) < 0x7f000000u;
+    const uint special = (bits & 0x7f800000u) == 0u ? 0x7f800000u : (bits == 0x7f800000u ? 0u : 0x7fc00000u);
+    const float result = exact_rsqrt_of_normal(is_normal ? x : 1.0f);
+    return bits_float(is_normal ? float_bits(result) : special);
 }
 
 /// a/b within 2.17 ULP where b is as in exact_reciprocal and neither a nor the quotient is denormal or overflows.

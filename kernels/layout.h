@@ -55,6 +55,10 @@
 #define QUAD_NET_POINTS(degree) (((degree) + 1u) * ((degree) + 1u))
 #define QUAD_NET_FLOATS(degree, normal_degree) (3u * QUAD_NET_POINTS(degree) + 3u * QUAD_NET_POINTS(normal_degree) + 8u)
 
+// A pattern that patches share: words before its first u and its first v, so that whole runs may begin and end outside
+// it.
+#define PATTERN_MARGIN 16u
+
 // Items of one block of the scan.
 #define SCAN_BLOCK 256u
 
@@ -98,6 +102,7 @@ STRUCT(EmitParams) {
     uint first_index;   // subtracted from every index position
     uint vertex_base;   // added to every index value
     uint net_stride;    // floats
+    uint pattern;       // where every patch has the same points: words from the pattern's u to its v, else 0
 };
 
 KERNELS_END

@@ -43,6 +43,10 @@ FUNCTION float dot_product(Vector a, Vector b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
+FUNCTION Vector cross_product(Vector a, Vector b) {
+    return make_vector(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
 FUNCTION Vector flush_vector(Vector v) {
     return make_vector(flush_tiny(v.x), flush_tiny(v.y), flush_tiny(v.z));
 }

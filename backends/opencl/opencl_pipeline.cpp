@@ -11,8 +11,9 @@ namespace tessera::backends::opencl {
 namespace {
 
 // Nothing here may loosen floats. Contraction is turned off by the source (#pragma OPENCL FP_CONTRACT OFF): OpenCL has
-// no option for it. tests/opencl checks the bits.
-constexpr const char* build_options = "-cl-std=CL1.2";
+// no option for it. tests/opencl checks the bits. The length of a run is the kernels' (kernels/emission.h).
+constexpr const char* cpu_build_options = "-cl-std=CL1.2 -DTESSERA_RUN=16";
+constexpr const char* build_options = "-cl-std=CL1.2 -DTESSERA_RUN=1";
 
 std::string build_log(const Session& session, cl_program program) {
     const auto ask = [&](std::size_t size, char* text, std::size_t* needed) {
@@ -39,12 +40,13 @@ ProgramHandle build(const Session& session, const gpu::Kernel& kernel) {
     ProgramHandle program(session.api.clCreateProgramWithSource(session.context.get(), 1, &source, &length, &code),
                           {session.api.clReleaseProgram});
     session.check(code, fmt::format("take the source of kernel \"{}\"", kernel.name));
-    code = session.api.clBuildProgram(program.get(), 1, &session.found.device, build_options, nullptr, nullptr);
+    const char* options = session.found.info.software ? cpu_build_options : build_options;
+    code = session.api.clBuildProgram(program.get(), 1, &session.found.device, options, nullptr, nullptr);
     if (code != CL_SUCCESS) {
         throw Error(ErrorKind::device_unavailable,
                     fmt::format("The kernel \"{}\" could not be built on {} ({}) with {}: {}; the compiler says:\n{}",
-                                kernel.name, session.found.info.id, session.found.info.name, build_options,
-                                error_name(code), build_log(session, program.get())));
+                                kernel.name, session.found.info.id, session.found.info.name, options, error_name(code),
+                                build_log(session, program.get())));
     }
     return program;
 }

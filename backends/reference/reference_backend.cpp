@@ -4,6 +4,7 @@
 #include "backends/reference/objects.hpp"
 #include "backends/reference/run_commands.hpp"
 #include "base/error.hpp"
+#include "gpu/kernel_catalog.hpp"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/info.h>
@@ -29,7 +30,7 @@ gpu::DeviceInfo describe() {
     info.backend = "reference";
     info.name = cpu_name();
     info.driver = fmt::format("C++ on oneTBB {}", TBB_runtime_version());
-    info.version = compiler();
+    info.version = fmt::format("{}, {} kernels", compiler(), gpu::reference_instruction_set());
     info.software = true;
     info.timestamps = true;
     info.compute_units = static_cast<std::uint32_t>(oneapi::tbb::info::default_concurrency());

@@ -1,5 +1,5 @@
-// embed_kernels OUT.cpp FOLDER NAME...: writes FOLDER/NAME.spv and FOLDER/NAME.cl of every kernel as C++ arrays, with
-// one lookup function per form.
+// embed_kernels OUT.cpp FOLDER PROLOGUE NAME...: writes FOLDER/NAME.spv and FOLDER/NAME.cl of every kernel as C++
+// arrays, with one lookup function per form. The OpenCL sources begin with the prologue.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -47,8 +47,8 @@ void write_source(std::FILE* out, const std::string& name, const std::vector<cha
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) {
-        std::fprintf(stderr, "usage: embed_kernels OUT.cpp FOLDER NAME...\n");
+    if (argc < 4) {
+        std::fprintf(stderr, "usage: embed_kernels OUT.cpp FOLDER PROLOGUE NAME...\n");
         return 2;
     }
     std::FILE* out = std::fopen(argv[1], "w");
@@ -57,20 +57,24 @@ int main(int argc, char** argv) {
         return 4;
     }
     std::fprintf(out, "#include \"embedded.hpp\"\n\nnamespace tessera::kernels {\nnamespace {\n\n");
-    for (int i = 3; i < argc; ++i) {
+    for (int i = 4; i < argc; ++i) {
         const std::string name = argv[i];
         const std::string stem = std::string(argv[2]) + "/" + name;
         write_spirv(out, name, read_file(stem + ".spv"));
-        write_source(out, name, read_file(stem + ".cl"));
+        std::vector<char> source = read_file(argv[3]);
+        const std::vector<char> kernel = read_file(stem + ".cl");
+        source.insert(source.end(), kernel.begin(), kernel.end());
+        write_source(out, name, source);
     }
     std::fprintf(out, "\n}  // namespace\n\nstd::span<const std::uint32_t> embedded_spirv(std::string_view name) {\n");
-    for (int i = 3; i < argc; ++i) {
+    for (int i = 4; i < argc; ++i) {
         std::fprintf(out, "    if (name == \"%s\") return %s_spirv;\n", argv[i], argv[i]);
     }
     std::fprintf(out, "    return {};\n}\n\nstd::string_view embedded_opencl(std::string_view name) {\n");
-    for (int i = 3; i < argc; ++i) {
+    for (int i = 4; i < argc; ++i) {
         std::fprintf(out, "    if (name == \"%s\") return %s_opencl;\n", argv[i], argv[i]);
     }
-    std::fprintf(out, "    return {};\n}\n\n}  // namespace tessera::kernels\n");
+    std::fprintf(out, "    return {};\n}\n\n");
+    std::fprintf(out, "}  // namespace tessera::kernels\n");
     return std::fclose(out) == 0 ? 0 : 4;
 }

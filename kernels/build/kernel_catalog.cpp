@@ -1,61 +1,66 @@
-// Builds the catalog: what slots a kernel has is read from its C++ signature, and the loop of the reference backend is
-// made from the same function, so that a kernel is declared in one place only.
+// Builds the catalog: every kernel's name, bindings and three forms.
 #include "gpu/kernel_catalog.hpp"
 
 #include "base/error.hpp"
 #include "embedded.hpp"
-#include "kernel_includes.inc"  // generated: #include "stages/NAME.h" for every kernel
+#include "reference_kernels.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <tuple>
-#include <utility>
+#include <array>
+#include <cstdlib>
 
 namespace tessera::gpu {
 namespace {
 
-template <typename Parameter>
-struct Slot;
-template <unsigned N, typename T>
-struct Slot<kernels::Read<N, T>> {
-    static constexpr KernelBinding binding{N, BindingKind::read_storage, sizeof(T)};
-    static kernels::Read<N, T> bind(std::byte* memory) { return {reinterpret_cast<const T*>(memory)}; }
-};
-template <unsigned N, typename T>
-struct Slot<kernels::Write<N, T>> {
-    static constexpr KernelBinding binding{N, BindingKind::write_storage, sizeof(T)};
-    static kernels::Write<N, T> bind(std::byte* memory) { return {reinterpret_cast<T*>(memory)}; }
-};
-template <unsigned N, typename T>
-struct Slot<kernels::Uniform<N, T>> {
-    static constexpr KernelBinding binding{N, BindingKind::uniform, sizeof(T)};
-    static kernels::Uniform<N, T> bind(std::byte* memory) { return {reinterpret_cast<const T*>(memory)}; }
+struct InstructionSet {
+    std::string_view name;
+    bool usable;
+    std::vector<kernels::ReferenceKernel> (*kernels)();
 };
 
-template <auto Function>
-struct Wrap;
-template <typename... Parameters, void (*Function)(kernels::Item, Parameters...)>
-struct Wrap<Function> {
-    static Kernel describe(const char* name) {
-        Kernel kernel{
-            name, {Slot<Parameters>::binding...}, kernels::embedded_spirv(name), kernels::embedded_opencl(name), &run};
-        return kernel;
-    }
+// From narrow to wide.
+std::vector<InstructionSet> instruction_sets() {
+    std::vector<InstructionSet> sets{{"baseline", true, kernels::reference_kernels_baseline}};
+#ifdef TESSERA_X86_KERNELS
+    __builtin_cpu_init();
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    sets.push_back({"avx2", __builtin_cpu_supports("avx2") != 0, kernels::reference_kernels_avx2});
+    sets.push_back({"avx512", avx512, kernels::reference_kernels_avx512});
+#endif
+    return sets;
+}
 
-    static void run(std::uint32_t first_item, std::uint32_t last_item, std::byte* const* slots) {
-        const std::tuple<Parameters...> bound{Slot<Parameters>::bind(slots[Slot<Parameters>::binding.slot])...};
-        for (std::uint32_t item = first_item; item < last_item; ++item) {
-            std::apply([item](const Parameters&... parameters) { Function(kernels::Item{item}, parameters...); },
-                       bound);
+InstructionSet choose_instruction_set() {
+    const std::vector<InstructionSet> sets = instruction_sets();
+    const char* wanted = std::getenv("TESSERA_REFERENCE_ISA");
+    const InstructionSet* best = nullptr;
+    for (const InstructionSet& set : sets) {
+        if (set.usable && (wanted == nullptr || set.name == wanted)) {
+            best = &set;
         }
     }
-};
+    if (best == nullptr) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("TESSERA_REFERENCE_ISA asks for \"{}\", which this build or processor does not have; "
+                                "unset it, or use baseline, avx2 or avx512.",
+                                wanted));
+    }
+    return *best;
+}
+
+const InstructionSet& instruction_set() {
+    static const InstructionSet chosen = choose_instruction_set();
+    return chosen;
+}
 
 std::vector<Kernel> make_catalog() {
     std::vector<Kernel> catalog;
-#define KERNEL(name) catalog.push_back(Wrap<&kernels::name>::describe(#name));
-#include "kernel_names.inc"  // generated: KERNEL(NAME) for every kernel
-#undef KERNEL
+    for (kernels::ReferenceKernel& kernel : instruction_set().kernels()) {
+        catalog.push_back({kernel.name, std::move(kernel.bindings), kernels::embedded_spirv(kernel.name),
+                           kernels::embedded_opencl(kernel.name), kernel.run});
+    }
     std::ranges::sort(catalog, {}, &Kernel::name);
     return catalog;
 }
@@ -69,6 +74,10 @@ const std::vector<Kernel>& catalog() {
 
 std::span<const Kernel> all_kernels() {
     return catalog();
+}
+
+std::string_view reference_instruction_set() {
+    return instruction_set().name;
 }
 
 const Kernel& find_kernel(std::string_view name) {

@@ -85,6 +85,17 @@ FUNCTION Vector column_cubic(CurveWeights v, Vector a, Vector ab, Vector ba, Vec
                        curve_cubic(v, a.z, ab.z, ba.z, b.z));
 }
 
+/// Likewise of a biquadratic patch.
+FUNCTION Vector column_quadratic(CurveWeights v, Vector a, Vector ab, Vector b) {
+    return make_vector(curve_quadratic(v, a.x, ab.x, b.x), curve_quadratic(v, a.y, ab.y, b.y),
+                       curve_quadratic(v, a.z, ab.z, b.z));
+}
+
+/// A point of a line.
+FUNCTION Vector line_point(CurveWeights w, Vector a, Vector b) {
+    return make_vector(curve_linear(w, a.x, b.x), curve_linear(w, a.y, b.y), curve_linear(w, a.z, b.z));
+}
+
 KERNELS_END
 
 #endif

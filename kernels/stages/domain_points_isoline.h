@@ -5,6 +5,5 @@
 #define POINTS_KERNEL domain_points_isoline
 #define PATCH_TYPE IsolinePatch
 #define LOAD_PATCH LOAD_ISOLINE_PATCH
-#define POINT_COUNT isoline_point_count
 #define POINT_AT isoline_point
 #include "tessellator/domain_points_kernel.h"

@@ -1,10 +1,8 @@
-// The domain points of triangle patches, u and v in 16.16 per vertex: what `tessera pattern` shows and checks.
+// The domain points of triangle patches, u and v in 16.16: what `tessera pattern` shows and checks, and what patches
+// that are all alike share.
 #include "emission.h"
-#include "tessellator/triangle.h"
+#include "tessellator/triangle_domain.h"
 
 #define POINTS_KERNEL domain_points_triangle
-#define PATCH_TYPE TrianglePatch
-#define LOAD_PATCH LOAD_TRIANGLE_PATCH
-#define POINT_COUNT triangle_point_count
 #define POINT_AT triangle_point
 #include "tessellator/domain_points_kernel.h"

@@ -16,10 +16,13 @@ KERNEL5(indices_isoline, READ(0, uint, records), READ(1, uint, offsets), READ(2,
     const uint base = p.vertex_base + VERTEX_START(p, offsets, patch_index);
     const uint start = INDEX_START(p, offsets, patch_index);
     const uint count = isoline_segment_count(t);
-    for (uint i = e.lane; i < count; i = i + e.lanes) {
-        const uint first = base + isoline_segment(t, i);
-        index_buffer[start + 2u * i] = first;
-        index_buffer[start + 2u * i + 1u] = first + 1u;
+    for (uint first = e.first; first < count; first = first + e.step) {
+        const uint end = first + run_length(first, count);
+        for (uint i = first; i < end; ++i) {
+            const uint point = base + isoline_segment(t, i);
+            index_buffer[start + 2u * i] = point;
+            index_buffer[start + 2u * i + 1u] = point + 1u;
+        }
     }
 }
 

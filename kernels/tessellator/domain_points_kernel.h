@@ -1,5 +1,5 @@
-// Domain points by themselves, the kernel of every domain. An including file names the kernel by POINTS_KERNEL and its
-// domain by PATCH_TYPE, LOAD_PATCH, POINT_COUNT and POINT_AT.
+// Domain points by themselves, the kernel of every domain: all u, then from word p.pattern on all v. An including file
+// names the kernel by POINTS_KERNEL and its domain by PATCH_TYPE, LOAD_PATCH and POINT_AT.
 // No include guard: every variant includes it once.
 KERNELS_BEGIN
 
@@ -13,18 +13,19 @@ KERNEL5(POINTS_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, u
     const uint patch_index = patch_list[e.entry];
     const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
     const uint start = VERTEX_START(p, offsets, patch_index);
-    const uint count = POINT_COUNT(t);
-    for (uint i = e.lane; i < count; i = i + e.lanes) {
-        const DomainPoint point = POINT_AT(t, i);
-        points[2u * (start + i)] = point.u;
-        points[2u * (start + i) + 1u] = point.v;
+    const uint count = VERTEX_COUNT(offsets, patch_index);
+    for (uint first = e.first; first < count; first = first + e.step) {
+        const uint end = first + run_length(first, count);
+        for (uint i = first; i < end; ++i) {
+            const DomainPoint point = POINT_AT(t, i);
+            points[start + i] = point.u;
+            points[p.pattern + start + i] = point.v;
+        }
     }
 }
 
 KERNELS_END
 
 #undef POINTS_KERNEL
-#undef PATCH_TYPE
-#undef LOAD_PATCH
-#undef POINT_COUNT
 #undef POINT_AT
+#include "tessellator/end_domain.h"

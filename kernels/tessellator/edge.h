@@ -20,7 +20,8 @@ STRUCT(Edge) {
 
 /// Index of the highest set bit; 0 for 0. Values up to 6 bits.
 FUNCTION uint highest_bit(uint x) {
-    return (x >= 32u ? 5u : (x >= 16u ? 4u : (x >= 8u ? 3u : (x >= 4u ? 2u : (x >= 2u ? 1u : 0u)))));
+    return (x >= 2u ? 1u : 0u) + (x >= 4u ? 1u : 0u) + (x >= 8u ? 1u : 0u) + (x >= 16u ? 1u : 0u) +
+           (x >= 32u ? 1u : 0u);
 }
 
 FUNCTION uint drop_highest_bit(uint x) {
@@ -68,16 +69,15 @@ FUNCTION uint even_coordinate(uint p, uint level) {
     return mirrored ? 65536u - place : place;
 }
 
-/// `a` where choice is 0, `b` where it is 1, `c` else.
-FUNCTION Edge choose_edge(uint choice, Edge a, Edge b, Edge c) {
+FUNCTION Edge choose_edge(bool second, Edge a, Edge b) {
     Edge edge;
-    edge.odd = choice == 0u ? a.odd : (choice == 1u ? b.odd : c.odd);
-    edge.half_points = choice == 0u ? a.half_points : (choice == 1u ? b.half_points : c.half_points);
-    edge.points = choice == 0u ? a.points : (choice == 1u ? b.points : c.points);
-    edge.fraction = choice == 0u ? a.fraction : (choice == 1u ? b.fraction : c.fraction);
-    edge.split = choice == 0u ? a.split : (choice == 1u ? b.split : c.split);
-    edge.inverse_floor = choice == 0u ? a.inverse_floor : (choice == 1u ? b.inverse_floor : c.inverse_floor);
-    edge.inverse_ceil = choice == 0u ? a.inverse_ceil : (choice == 1u ? b.inverse_ceil : c.inverse_ceil);
+    edge.odd = second ? b.odd : a.odd;
+    edge.half_points = second ? b.half_points : a.half_points;
+    edge.points = second ? b.points : a.points;
+    edge.fraction = second ? b.fraction : a.fraction;
+    edge.split = second ? b.split : a.split;
+    edge.inverse_floor = second ? b.inverse_floor : a.inverse_floor;
+    edge.inverse_ceil = second ? b.inverse_ceil : a.inverse_ceil;
     return edge;
 }
 

@@ -88,8 +88,15 @@ FUNCTION uint quad_ring_start(uint r, uint sum) {
     return 2u * (r - 1u) * (sum - 2u - 2u * r);
 }
 
+/// As find_ring of triangles.
+FUNCTION uint find_quad_ring(uint r, uint bit, uint last, uint sum, uint inner) {
+    const uint candidate = r + bit;
+    return candidate <= last && quad_ring_start(candidate, sum) <= inner ? candidate : r;
+}
+
 FUNCTION uint choose_of_four(uint side, uint a, uint b, uint c, uint d) {
-    return side == 0u ? a : (side == 1u ? b : (side == 2u ? c : d));
+    const bool odd = (side & 1u) != 0u;  // by bits, for compilers make a switch of comparisons
+    return (side & 2u) == 0u ? (odd ? b : a) : (odd ? d : c);
 }
 
 /// Position q along a side of an axis of n points that runs down (sides 0 and 3) or up (sides 1 and 2).
@@ -97,55 +104,55 @@ FUNCTION uint directed_position(uint side, uint r, uint k, uint n) {
     return side == 0u || side == 3u ? n - 1u - r - k : r + k;
 }
 
-FUNCTION DomainPoint quad_outer_point(QuadPatch p, uint i) {
+/// True where the patch is made of rings; else it is culled, two triangles or an even grid.
+FUNCTION bool quad_has_rings(QuadPatch p) {
+    return (p.flags & (RECORD_CULLED | RECORD_SINGLE | RECORD_UNIFORM)) == 0u;
+}
+
+/// Point i of a patch with rings. Branch-free.
+FUNCTION DomainPoint quad_ring_point(QuadPatch p, uint i) {
+    // On the outer ring:
     const uint start1 = p.edge0.points - 1u;
     const uint start2 = start1 + p.edge1.points - 1u;
     const uint start3 = start2 + p.edge2.points - 1u;
-    const uint side = i < start1 ? 0u : (i < start2 ? 1u : (i < start3 ? 2u : 3u));
-    const uint k = i - choose_of_four(side, 0u, start1, start2, start3);
-    Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
-    if (side == 3u) {
-        edge = p.edge3;
-    }
-    const uint c = edge_coordinate(edge, directed_position(side, 0u, k, edge.points));
-    return make_domain_point(choose_of_four(side, 0u, c, 65536u, c), choose_of_four(side, c, 0u, c, 65536u));
-}
-
-FUNCTION DomainPoint quad_point(QuadPatch p, uint i) {
-    if ((p.flags & RECORD_SINGLE) != 0u) {
-        return make_domain_point(i == 1u || i == 2u ? 65536u : 0u, i >= 2u ? 65536u : 0u);
-    }
-    if ((p.flags & RECORD_UNIFORM) != 0u) {
-        const uint row = p.level + 1u;
-        return make_domain_point(even_coordinate(i % row, p.level), even_coordinate(i / row, p.level));
-    }
-    if (i < p.outer_points) {
-        return quad_outer_point(p, i);
-    }
+    const uint outer_side = i < start1 ? 0u : (i < start2 ? 1u : (i < start3 ? 2u : 3u));
+    const Edge edge = choose_edge(outer_side >= 2u, choose_edge(outer_side == 1u, p.edge0, p.edge1),
+                                  choose_edge(outer_side == 3u, p.edge2, p.edge3));
+    const uint outer_k = i - choose_of_four(outer_side, 0u, start1, start2, start3);
+    const uint c = edge_coordinate(edge, directed_position(outer_side, 0u, outer_k, edge.points));
+    const uint outer_u = choose_of_four(outer_side, 0u, c, 65536u, c);
+    const uint outer_v = choose_of_four(outer_side, c, 0u, c, 65536u);
+    // On an inner one, or on the final row: up along U, or down along V.
     const uint nu = p.inside_u.points;
     const uint nv = p.inside_v.points;
     const uint inner = i - p.outer_points;
     const uint last = p.rings + p.final_row;
     uint r = 1u;
-    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
-        const uint candidate = r + bit;
-        r = candidate <= last && quad_ring_start(candidate, nu + nv) <= inner ? candidate : r;
-    }
+    FOR_BITS(bit, r = find_quad_ring(r, bit, last, nu + nv, inner))
     const uint q = inner - quad_ring_start(r, nu + nv);
-    if (r > p.rings) {
-        // The final row: up along U, or down along V.
-        return nu > nv ? make_domain_point(edge_coordinate(p.inside_u, r + q), 0x8000u)
-                       : make_domain_point(0x8000u, edge_coordinate(p.inside_v, nv - 1u - r - q));
-    }
+    const bool on_row = r > p.rings;
     const uint su = nu - 1u - 2u * r;
     const uint sv = nv - 1u - 2u * r;
-    const uint side = q < sv ? 0u : (q < sv + su ? 1u : (q < 2u * sv + su ? 2u : 3u));
-    const uint k = q - choose_of_four(side, 0u, sv, sv + su, 2u * sv + su);
-    const uint u =
+    const uint ring_side = q < sv ? 0u : (q < sv + su ? 1u : (q < 2u * sv + su ? 2u : 3u));
+    const uint side = on_row ? (nu > nv ? 1u : 0u) : ring_side;
+    const uint k = on_row ? q : q - choose_of_four(side, 0u, sv, sv + su, 2u * sv + su);
+    const uint u_at =
         choose_of_four(side, r, directed_position(1u, r, k, nu), nu - 1u - r, directed_position(3u, r, k, nu));
-    const uint v =
+    const uint v_at =
         choose_of_four(side, directed_position(0u, r, k, nv), r, directed_position(2u, r, k, nv), nv - 1u - r);
-    return make_domain_point(edge_coordinate(p.inside_u, u), edge_coordinate(p.inside_v, v));
+    const uint inner_u = on_row && nu <= nv ? 0x8000u : edge_coordinate(p.inside_u, u_at);
+    const uint inner_v = on_row && nu > nv ? 0x8000u : edge_coordinate(p.inside_v, v_at);
+    const bool on_outer = i < p.outer_points;
+    return make_domain_point(on_outer ? outer_u : inner_u, on_outer ? outer_v : inner_v);
+}
+
+/// Point i of a patch without rings.
+FUNCTION DomainPoint quad_plain_point(QuadPatch p, uint i) {
+    if ((p.flags & RECORD_UNIFORM) != 0u) {
+        const uint row = p.level + 1u;
+        return make_domain_point(even_coordinate(i % row, p.level), even_coordinate(i / row, p.level));
+    }
+    return make_domain_point(i == 1u || i == 2u ? 65536u : 0u, i >= 2u ? 65536u : 0u);
 }
 
 /// Inner ring r of points, the folded final row included.
@@ -162,7 +169,12 @@ FUNCTION uint quad_side_offset(uint side, uint su, uint sv) {
     return choose_of_four(side, 0u, sv, sv + su, 2u * sv + su);
 }
 
-/// Triangle t of the first row, between the outer ring and the first inner one.
+/// Triangles of the first row, between the outer ring and the first inner one.
+FUNCTION uint quad_outer_count(QuadPatch p) {
+    return p.outer_points + 2u * (p.inside_u.points + p.inside_v.points - 6u);
+}
+
+/// Triangle t of the first row.
 FUNCTION Triangle quad_outer_triangle(QuadPatch p, uint t) {
     const uint su = p.inside_u.points - 3u;
     const uint sv = p.inside_v.points - 3u;
@@ -195,53 +207,41 @@ FUNCTION Triangle quad_strip_triangle(QuadPatch p, uint t) {
     const uint s = (ring.points >> 1u) - 1u;  // quads of the strip
     const uint j = t >> 1u;
     const bool second = (t & 1u) == 1u;
-    if (nu > nv) {
-        const uint o = b + 1u + j;
-        const uint i = j == 0u ? b : b + 2u * s + 2u - j;
-        const uint next = b + 2u * s + 1u - j;
-        return second ? make_triangle(i, o + 1u, next) : make_triangle(i, o, o + 1u);
-    }
-    const uint o = b + j;
-    const uint i = b + 2u * s + 1u - j;
-    if (p.inside_v.odd == 0u) {
-        return second ? make_triangle(i, o + 1u, i - 1u) : make_triangle(i, o, o + 1u);
-    }
-    if (j == (s >> 1u)) {
-        return second ? make_triangle(o, o + 1u, i - 1u) : make_triangle(o, i - 1u, i);
-    }
-    return second ? make_triangle(i, o + 1u, i - 1u) : make_triangle(o, o + 1u, i);
+    const bool along_u = nu > nv;
+    const uint o = b + j + (along_u ? 1u : 0u);
+    const uint far = b + 2u * s + 1u - j;
+    const uint i = along_u ? (j == 0u ? b : far + 1u) : far;
+    const uint next = along_u ? far : far - 1u;
+    // Along V the diagonal turns once: in the middle quad and before it where the factor along V is odd.
+    const bool odd_v = !along_u && p.inside_v.odd != 0u;
+    const bool middle = odd_v && j == (s >> 1u);
+    const uint a = odd_v && (middle || !second) ? o : i;
+    const uint b1 = middle && !second ? next : (second || odd_v ? o + 1u : o);
+    const uint c = second ? next : (odd_v ? i : o + 1u);
+    return make_triangle(a, b1, c);
 }
 
-/// Triangle t as point indices of the patch, with positive area where u points right and v up.
-FUNCTION Triangle quad_triangle(QuadPatch p, uint t) {
-    if ((p.flags & RECORD_SINGLE) != 0u) {
-        return t == 0u ? make_triangle(0u, 1u, 3u) : make_triangle(1u, 2u, 3u);
-    }
-    if ((p.flags & RECORD_UNIFORM) != 0u) {
-        const uint cell = t >> 1u;
-        const uint low = (cell / p.level) * (p.level + 1u) + cell % p.level;
-        const uint high = low + p.level + 1u;
-        return (t & 1u) == 0u ? make_triangle(low, low + 1u, high) : make_triangle(low + 1u, high + 1u, high);
-    }
+/// Row j >= 2, between rings j - 1 and j, begins so many triangles after the first row; `sum` is N_U + N_V.
+FUNCTION uint quad_row_start(uint j, uint sum) {
+    return 4u * ((j - 2u) * sum + 4u - 2u * (j - 1u) * j);
+}
+
+FUNCTION uint find_quad_row(uint j, uint bit, uint last, uint sum, uint inner) {
+    const uint candidate = j + bit;
+    return candidate <= last && quad_row_start(candidate, sum) <= inner ? candidate : j;
+}
+
+/// Triangle t of the rows after the first and of the strip in the middle. Branch-free.
+FUNCTION Triangle quad_inner_triangle(QuadPatch p, uint t) {
     const uint sum = p.inside_u.points + p.inside_v.points;
-    const uint first_row = p.outer_points + 2u * (sum - 6u);
-    if (t < first_row) {
-        return quad_outer_triangle(p, t);
-    }
-    const uint inner = t - first_row;
-    // Row j >= 2 lies between rings j - 1 and j and begins after 4 ((j - 2) (N_U + N_V) - 2 (j - 1) j + 4) triangles.
+    const uint inner = t - quad_outer_count(p);
     const uint last = p.rings + p.final_row;
     uint j = 2u;
-    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
-        const uint candidate = j + bit;
-        const uint before = 4u * ((candidate - 2u) * sum + 4u - 2u * (candidate - 1u) * candidate);
-        j = candidate <= last && before <= inner ? candidate : j;
-    }
-    const uint before = 4u * ((j - 2u) * sum + 4u - 2u * (j - 1u) * j);
-    const uint in_row = inner - before;
-    if (j > last || in_row >= 4u * (sum - 4u * j)) {
-        return quad_strip_triangle(p, j > last ? inner : in_row - 4u * (sum - 4u * j));
-    }
+    FOR_BITS(bit, j = find_quad_row(j, bit, last, sum, inner))
+    const uint in_row = inner - quad_row_start(j, sum);
+    const uint row_count = 4u * (sum - 4u * j);
+    const bool on_strip = j > last || in_row >= row_count;
+    const Triangle strip = quad_strip_triangle(p, j > last ? inner : in_row - row_count);
     const uint mu = p.inside_u.points - 2u * j;  // points of ring j's side along u
     const uint mv = p.inside_v.points - 2u * j;
     const uint end0 = 2u * mv;
@@ -249,9 +249,30 @@ FUNCTION Triangle quad_triangle(QuadPatch p, uint t) {
     const uint end2 = end1 + 2u * mv;
     const uint side = in_row < end0 ? 0u : (in_row < end1 ? 1u : (in_row < end2 ? 2u : 3u));
     const uint s = in_row - choose_of_four(side, 0u, end0, end1, end2);
-    const Triangle row = ring_triangle(s, (side & 1u) == 0u ? mv : mu);
-    return place_row(row, quad_ring(p, j - 1u), quad_side_offset(side, mu + 1u, mv + 1u), quad_ring(p, j),
-                     quad_side_offset(side, mu - 1u, mv - 1u));
+    const Triangle row =
+        place_row(ring_triangle(s, (side & 1u) == 0u ? mv : mu), quad_ring(p, j - 1u),
+                  quad_side_offset(side, mu + 1u, mv + 1u), quad_ring(p, j), quad_side_offset(side, mu - 1u, mv - 1u));
+    return choose_triangle(on_strip, strip, row);
+}
+
+FUNCTION DomainPoint quad_point(QuadPatch p, uint i) {
+    if (quad_has_rings(p)) {
+        return quad_ring_point(p, i);
+    }
+    return quad_plain_point(p, i);
+}
+
+/// Triangle t of a patch without rings.
+FUNCTION Triangle quad_plain_triangle(QuadPatch p, uint t) {
+    const bool is_grid = (p.flags & RECORD_UNIFORM) != 0u;
+    const uint level = is_grid ? p.level : 1u;
+    const uint cell = t >> 1u;
+    const uint low = (cell / level) * (level + 1u) + cell % level;
+    const uint high = low + level + 1u;
+    const Triangle grid =
+        (t & 1u) == 0u ? make_triangle(low, low + 1u, high) : make_triangle(low + 1u, high + 1u, high);
+    const Triangle pair = t == 0u ? make_triangle(0u, 1u, 3u) : make_triangle(1u, 2u, 3u);
+    return choose_triangle(is_grid, grid, pair);
 }
 
 KERNELS_END

@@ -31,11 +31,8 @@ FUNCTION Triangle make_triangle(uint a, uint b, uint c) {
 
 /// Heap number of step m in 1..31.
 FUNCTION uint transition_node(uint m) {
-    const uint lowest = m & (0u - m);
-    return lowest == 16u
-               ? 1u
-               : (lowest == 8u ? 2u | (m >> 4u)
-                               : (lowest == 4u ? 4u | (m >> 3u) : (lowest == 2u ? 8u | (m >> 2u) : 16u | (m >> 1u))));
+    const uint depth = highest_bit(m & (0u - m));  // from the leaves, which are the odd steps
+    return (16u >> depth) | (m >> (depth + 1u));
 }
 
 /// How many of the steps 1..m belong to nodes below `count` (1..32); 0 for count 0.
@@ -47,6 +44,16 @@ FUNCTION uint transition_rank(uint count, uint m) {
     return count == 0u ? 0u : complete + (partial < there ? partial : there);
 }
 
+/// A step of the search for the last step of a half whose first triangle is not after t; `lead` triangles come first.
+FUNCTION uint find_step(uint m, uint bit, uint lead, uint inner_half, uint outer_half, uint t) {
+    const uint before = lead + transition_rank(inner_half, m + bit - 1u) + transition_rank(outer_half, m + bit - 1u);
+    return before <= t ? m + bit : m;
+}
+
+FUNCTION Triangle choose_triangle(bool choice, Triangle a, Triangle b) {
+    return make_triangle(choice ? a.a : b.a, choice ? a.b : b.b, choice ? a.c : b.c);
+}
+
 /// Triangle s of the row between an outer edge of `outer_segments` (>= 1) and an inside row of `inner_segments` (>= 0),
 /// in all outer_segments + inner_segments triangles. The halves are those of the two factors: half_points - odd.
 FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, uint inner_half, uint inner_odd) {
@@ -54,27 +61,18 @@ FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, u
     const uint inner_steps = inner_half == 0u ? 0u : inner_half - 1u;
     const uint inner_segments = 2u * inner_steps + inner_odd;
     const uint first_half = outer_half + inner_steps;
-    const uint middle = outer_odd + inner_odd;
-    if (s >= first_half && s < first_half + middle) {
-        const uint o = outer_half;
-        const uint i = ON_INSIDE + inner_steps;
-        if (inner_odd == 0u) {
-            return make_triangle(i, o, o + 1u);
-        }
-        return s == first_half ? make_triangle(i, o, i + 1u) : make_triangle(i + 1u, o, o + 1u);
-    }
+    // Between the halves: the odd segments of either edge.
+    const bool in_middle = s >= first_half && s < first_half + outer_odd + inner_odd;
+    const bool middle_inner = inner_odd != 0u && s == first_half;
+    const uint middle_at = ON_INSIDE + inner_steps + (inner_odd != 0u && !middle_inner ? 1u : 0u);
+    const Triangle middle = make_triangle(middle_at, outer_half, middle_inner ? middle_at + 1u : outer_half + 1u);
     // The second half is the first one read backwards.
     const bool backwards = s >= first_half;
     const uint t = backwards ? outer_segments + inner_segments - 1u - s : s;
     const uint lead = outer_half > 0u ? 1u : 0u;  // a half that has points begins with one outer triangle
-    // The last step m whose first triangle is not after t; m = 0 is the leading outer triangle.
+    // m = 0 is the leading outer triangle.
     uint m = 0u;
-    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
-        const uint candidate = m + bit;
-        const uint before =
-            lead + transition_rank(inner_half, candidate - 1u) + transition_rank(outer_half, candidate - 1u);
-        m = before <= t ? candidate : m;
-    }
+    FOR_BITS(bit, m = find_step(m, bit, lead, inner_half, outer_half, t))
     const uint steps = m == 0u ? 0u : m - 1u;
     const uint inner_before = transition_rank(inner_half, steps);
     const uint outer_before = m == 0u ? 0u : lead + transition_rank(outer_half, steps);
@@ -82,32 +80,28 @@ FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, u
     const bool is_inner = has_inner && t == inner_before + outer_before;
     const uint o = outer_before;
     const uint i = inner_before + (has_inner && !is_inner ? 1u : 0u);
-    if (is_inner) {
-        const uint outer_at = backwards ? outer_segments - o : o;
-        const uint inner_at = ON_INSIDE + (backwards ? inner_segments - i - 1u : i);
-        return make_triangle(inner_at, outer_at, inner_at + 1u);
-    }
-    const uint outer_at = backwards ? outer_segments - o - 1u : o;
-    const uint inner_at = ON_INSIDE + (backwards ? inner_segments - i : i);
-    return make_triangle(outer_at, outer_at + 1u, inner_at);
+    const uint outer_at = backwards ? outer_segments - o - (is_inner ? 0u : 1u) : o;
+    const uint inner_at = ON_INSIDE + (backwards ? inner_segments - i - (is_inner ? 1u : 0u) : i);
+    const Triangle stepped = make_triangle(is_inner ? inner_at : outer_at, is_inner ? outer_at : outer_at + 1u,
+                                           is_inner ? inner_at + 1u : inner_at);
+    return choose_triangle(in_middle, middle, stepped);
 }
 
 /// Triangle s of the regular row between a ring's row of points + 1 segments and the next one of `points` points (both
 /// corners included); in all 2 * points triangles.
 FUNCTION Triangle ring_triangle(uint s, uint points) {
-    if (s == 0u || s == 2u * points - 1u) {
-        const uint o = s == 0u ? 0u : points;
-        const uint i = ON_INSIDE + (s == 0u ? 0u : points - 1u);
-        return make_triangle(o, o + 1u, i);
-    }
-    const uint p = (s - 1u) >> 1u;
+    const bool at_start = s == 0u;
+    const bool at_end = s == 2u * points - 1u;
+    const uint end_outer = at_start ? 0u : points;
+    const Triangle end = make_triangle(end_outer, end_outer + 1u, ON_INSIDE + (at_start ? 0u : points - 1u));
+    const uint cell = (s - 1u) >> 1u;
     const bool second = ((s - 1u) & 1u) == 1u;
-    const uint o = 1u + p;
-    const uint i = ON_INSIDE + p;
-    if (p < (points >> 1u)) {
-        return second ? make_triangle(o, o + 1u, i + 1u) : make_triangle(o, i + 1u, i);
-    }
-    return second ? make_triangle(i, o + 1u, i + 1u) : make_triangle(i, o, o + 1u);
+    const bool first_half = cell < (points >> 1u);
+    const uint o = 1u + cell;
+    const uint i = ON_INSIDE + cell;
+    const Triangle between = make_triangle(first_half ? o : i, second ? o + 1u : (first_half ? i + 1u : o),
+                                           second ? i + 1u : (first_half ? i : o + 1u));
+    return choose_triangle(at_start || at_end, end, between);
 }
 
 /// A closed ring of points: `points` of them (0 stands for a single one) from index `start` on. A folded ring is a row

@@ -81,6 +81,12 @@ FUNCTION uint ring_start(uint r, uint points) {
     return 3u * (r - 1u) * (points - 1u - r);
 }
 
+/// A step of the search for the ring of inner point `inner`: r + bit where that ring begins no later, else r.
+FUNCTION uint find_ring(uint r, uint bit, uint rings, uint points, uint inner) {
+    const uint candidate = r + bit;
+    return candidate <= rings && ring_start(candidate, points) <= inner ? candidate : r;
+}
+
 /// Row y of the even grid of a level begins at this point: y rows of level + 1, level, ... points.
 FUNCTION uint uniform_row_start(uint y, uint level) {
     return y * (level + 1u) - ((y * (y - 1u)) >> 1u);
@@ -99,81 +105,46 @@ FUNCTION DomainPoint uniform_point(uint level, uint i) {
     return make_domain_point(u, x + y == level ? 65536u - u : even_coordinate(y, level));
 }
 
-/// The points of one side of one ring, the last one left to the next side. Ring 0 is the outer one.
-STRUCT(RingSide) {
-    Edge edge;           // places points along the side
-    uint number;         // 0..2
-    uint first;          // index of its first point
-    uint segments;       // points on it
-    uint from;           // position of its first point on the edge; side 1 runs up from there, the others down
-    uint perpendicular;  // the coordinate that stays; 0 on the outer ring
-};
-
-FUNCTION RingSide triangle_ring_side(TrianglePatch p, uint r, uint number) {
-    RingSide side;
-    side.number = number;
-    if (r == 0u) {
-        const uint start1 = p.edge0.points - 1u;
-        side.edge = choose_edge(number, p.edge0, p.edge1, p.edge2);
-        side.segments = side.edge.points - 1u;
-        side.first = number == 0u ? 0u : (number == 1u ? start1 : start1 + p.edge1.points - 1u);
-        side.from = number == 1u ? 0u : side.segments;
-        side.perpendicular = 0u;
-        return side;
-    }
-    const uint n = p.inside.points;
-    side.edge = p.inside;
-    side.segments = n - 1u - 2u * r;
-    side.first = p.outer_points + ring_start(r, n) + number * side.segments;
-    side.from = number == 1u ? r : n - 1u - r;
-    side.perpendicular = (edge_coordinate(p.inside, r) * 0xaaaau + 0x8000u) >> 16u;
-    return side;
-}
-
-FUNCTION DomainPoint ring_side_point(RingSide side, uint k) {
-    const uint q = side.number == 1u ? side.from + k : side.from - k;
-    const uint across = side.perpendicular;
-    const uint along = edge_coordinate(side.edge, q) - ((across + 1u) >> 1u);
-    return make_domain_point(side.number == 0u ? across : along,
-                             side.number == 0u ? along : (side.number == 1u ? across : 65536u - along - across));
-}
-
-/// True where the patch is made of ring sides and, where its inside factor is even, a centre that comes last.
+/// True where the patch is made of rings; else it is culled, a single triangle or an even grid.
 FUNCTION bool triangle_has_rings(TrianglePatch p) {
     return (p.flags & (RECORD_CULLED | RECORD_SINGLE | RECORD_UNIFORM)) == 0u;
 }
 
-FUNCTION DomainPoint triangle_centre() {
-    return make_domain_point(0x5555u, 0x5555u);
+/// Point i of a patch with rings. Branch-free.
+FUNCTION DomainPoint triangle_ring_point(TrianglePatch p, uint i) {
+    const uint n = p.inside.points;
+    const bool on_outer = i < p.outer_points;
+    const uint start1 = p.edge0.points - 1u;
+    const uint start2 = start1 + p.edge1.points - 1u;
+    const uint inner = i - p.outer_points;
+    uint r = 1u;
+    FOR_BITS(bit, r = find_ring(r, bit, p.rings, n, inner))
+    const uint segments = n - 1u - 2u * r;
+    const uint q = inner - ring_start(r, n);
+    const bool is_centre = !on_outer && (r > p.rings || q >= 3u * segments);
+    const uint outer_side = i < start1 ? 0u : (i < start2 ? 1u : 2u);
+    const uint inner_side = q < segments ? 0u : (q < 2u * segments ? 1u : 2u);
+    const uint side = on_outer ? outer_side : inner_side;
+    const Edge outer_edge = choose_edge(outer_side == 2u, choose_edge(outer_side == 1u, p.edge0, p.edge1), p.edge2);
+    const Edge edge = choose_edge(on_outer, p.inside, outer_edge);
+    const uint side_start = on_outer ? (side == 0u ? 0u : (side == 1u ? start1 : start2)) : side * segments;
+    const uint k = (on_outer ? i : q) - side_start;
+    // Side 1 runs up along its edge, the others down; inner rings leave out r points at either end.
+    const uint skipped = on_outer ? 0u : r;
+    const uint along_at = side == 1u ? skipped + k : edge.points - 1u - skipped - k;
+    const uint across = on_outer ? 0u : (edge_coordinate(p.inside, r) * 0xaaaau + 0x8000u) >> 16u;
+    const uint along = edge_coordinate(edge, along_at) - ((across + 1u) >> 1u);
+    const uint u = side == 0u ? across : along;
+    const uint v = side == 0u ? along : (side == 1u ? across : 65536u - along - across);
+    return make_domain_point(is_centre ? 0x5555u : u, is_centre ? 0x5555u : v);
 }
 
-FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
-    if ((p.flags & RECORD_SINGLE) != 0u) {
-        return make_domain_point(i == 2u ? 65536u : 0u, i == 0u ? 65536u : 0u);
-    }
+/// Point i of a patch without rings.
+FUNCTION DomainPoint triangle_plain_point(TrianglePatch p, uint i) {
     if ((p.flags & RECORD_UNIFORM) != 0u) {
         return uniform_point(p.level, i);
     }
-    if (i < p.outer_points) {
-        const uint start1 = p.edge0.points - 1u;
-        const uint start2 = start1 + p.edge1.points - 1u;
-        const RingSide side = triangle_ring_side(p, 0u, i < start1 ? 0u : (i < start2 ? 1u : 2u));
-        return ring_side_point(side, i - side.first);
-    }
-    const uint n = p.inside.points;
-    const uint inner = i - p.outer_points;
-    uint r = 1u;
-    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
-        const uint candidate = r + bit;
-        r = candidate <= p.rings && ring_start(candidate, n) <= inner ? candidate : r;
-    }
-    const uint segments = n - 1u - 2u * r;
-    const uint q = inner - ring_start(r, n);
-    if (r > p.rings || q >= 3u * segments) {
-        return triangle_centre();
-    }
-    const RingSide side = triangle_ring_side(p, r, q < segments ? 0u : (q < 2u * segments ? 1u : 2u));
-    return ring_side_point(side, i - side.first);
+    return make_domain_point(i == 2u ? 65536u : 0u, i == 0u ? 65536u : 0u);
 }
 
 /// Triangle t of the even grid.
@@ -191,38 +162,10 @@ FUNCTION Triangle uniform_triangle(uint level, uint t) {
     return (k & 1u) == 0u ? make_triangle(low, low + 1u, high) : make_triangle(low + 1u, high + 1u, high);
 }
 
-/// The triangles of one side of a row. Row j lies between rings j - 1 and j of points; row 1, at the outer ring, joins
-/// two factors, the others are regular.
-STRUCT(RowSide) {
-    Ring outer;
-    Ring inner;
-    uint outer_offset;  // where the side begins on the outer ring
-    uint inner_offset;
-    uint first;      // index of its first triangle
-    uint triangles;  // on it
-    uint points;     // of the inner ring on this side, both corners included
-};
-
-/// Side `number` of row j >= 2.
-FUNCTION RowSide triangle_row_side(TrianglePatch p, uint j, uint number) {
-    const uint n = p.inside.points;
-    RowSide side;
-    side.points = n - 2u * j;
-    side.triangles = 2u * side.points;
-    // Row j begins after 6 ((j - 2) N - (j - 1) j + 2) triangles of inner rows.
-    const uint before = 6u * ((j - 2u) * n + 2u - (j - 1u) * j);
-    side.first = p.outer_points + 3u * (n - 3u) + before + number * side.triangles;
-    const uint outer_segments = side.points + 1u;
-    const uint outer_start = p.outer_points + ring_start(j - 1u, n);
-    side.outer = make_ring(outer_start, 3u * outer_segments);
-    side.inner = make_ring(outer_start + 3u * outer_segments, 3u * (side.points - 1u));
-    side.outer_offset = number * outer_segments;
-    side.inner_offset = number * (side.points - 1u);
-    return side;
-}
-
-FUNCTION Triangle row_side_triangle(RowSide side, uint s) {
-    return place_row(ring_triangle(s, side.points), side.outer, side.outer_offset, side.inner, side.inner_offset);
+/// The triangles come in rows: row j lies between rings j - 1 and j of points. Row 1, at the outer ring, joins two
+/// factors, the others are regular. So many triangles has row 1:
+FUNCTION uint triangle_outer_count(TrianglePatch p) {
+    return p.outer_points + 3u * (p.inside.points - 3u);
 }
 
 /// Triangle t of row 1.
@@ -234,58 +177,56 @@ FUNCTION Triangle triangle_outer_triangle(TrianglePatch p, uint t) {
     const uint count01 = start2 + 2u * inner_segments;
     const uint side = t < count0 ? 0u : (t < count01 ? 1u : 2u);
     const uint s = t - (side == 0u ? 0u : (side == 1u ? count0 : count01));
-    const Edge edge = choose_edge(side, p.edge0, p.edge1, p.edge2);
+    const Edge edge = choose_edge(side == 2u, choose_edge(side == 1u, p.edge0, p.edge1), p.edge2);
     const Triangle row = transition_triangle(s, edge.half_points - edge.odd, edge.odd,
                                              p.inside.half_points - p.inside.odd, p.inside.odd);
     return place_row(row, make_ring(0u, p.outer_points), side == 0u ? 0u : (side == 1u ? start1 : start2),
                      make_ring(p.outer_points, 3u * inner_segments), side * inner_segments);
 }
 
-/// The innermost row of triangles; the rows are 1..this.
-FUNCTION uint triangle_last_row(TrianglePatch p) {
-    return (p.inside.points - 1u) >> 1u;
+/// Row j >= 2 of triangles begins so many after the first row.
+FUNCTION uint triangle_row_start(uint j, uint points) {
+    return 6u * ((j - 2u) * points + 2u - (j - 1u) * j);
 }
 
-/// Triangles of row 1, which come first.
-FUNCTION uint triangle_outer_count(TrianglePatch p) {
-    return p.outer_points + 3u * (p.inside.points - 3u);
+FUNCTION uint find_triangle_row(uint j, uint bit, uint last, uint points, uint inner) {
+    const uint candidate = j + bit;
+    return candidate <= last && triangle_row_start(candidate, points) <= inner ? candidate : j;
 }
 
-/// The one triangle over the last ring, last of all, where the inside factor is odd.
-FUNCTION Triangle triangle_odd_centre(TrianglePatch p) {
-    const uint b = p.outer_points + ring_start(p.rings, p.inside.points);
-    return make_triangle(b, b + 1u, b + 2u);
+/// Triangle t of the rows after the first, or the one over the last ring that an odd inside factor leaves. Branch-free.
+FUNCTION Triangle triangle_inner_triangle(TrianglePatch p, uint t) {
+    const uint n = p.inside.points;
+    const uint inner = t - triangle_outer_count(p);
+    const uint last = (n - 1u) >> 1u;  // the innermost row
+    uint j = 2u;
+    FOR_BITS(bit, j = find_triangle_row(j, bit, last, n, inner))
+    const uint in_row = inner - triangle_row_start(j, n);
+    const uint points = n - 2u * j;  // of the inner ring on each side, both corners included
+    const bool is_centre = j > last || in_row >= 6u * points;
+    const uint side = in_row < 2u * points ? 0u : (in_row < 4u * points ? 1u : 2u);
+    const uint outer_start = p.outer_points + ring_start(j - 1u, n);
+    const uint inner_start = outer_start + 3u * (points + 1u);
+    const Triangle row =
+        place_row(ring_triangle(in_row - side * 2u * points, points), make_ring(outer_start, 3u * (points + 1u)),
+                  side * (points + 1u), make_ring(inner_start, 3u * (points - 1u)), side * (points - 1u));
+    const uint b = p.outer_points + ring_start(p.rings, n);
+    return choose_triangle(is_centre, make_triangle(b, b + 1u, b + 2u), row);
 }
 
-/// Triangle t as point indices of the patch, with positive area where u points right and v up.
-FUNCTION Triangle triangle_triangle(TrianglePatch p, uint t) {
-    if ((p.flags & RECORD_SINGLE) != 0u) {
-        return make_triangle(0u, 1u, 2u);
+FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
+    if (triangle_has_rings(p)) {
+        return triangle_ring_point(p, i);
     }
+    return triangle_plain_point(p, i);
+}
+
+/// Triangle t of a patch without rings.
+FUNCTION Triangle triangle_plain_triangle(TrianglePatch p, uint t) {
     if ((p.flags & RECORD_UNIFORM) != 0u) {
         return uniform_triangle(p.level, t);
     }
-    const uint outer = triangle_outer_count(p);
-    if (t < outer) {
-        return triangle_outer_triangle(p, t);
-    }
-    const uint n = p.inside.points;
-    const uint inner = t - outer;
-    const uint last = triangle_last_row(p);
-    uint j = 2u;
-    for (uint bit = 16u; bit > 0u; bit = bit >> 1u) {
-        const uint candidate = j + bit;
-        const uint before = 6u * ((candidate - 2u) * n + 2u - (candidate - 1u) * candidate);
-        j = candidate <= last && before <= inner ? candidate : j;
-    }
-    const RowSide first_side = triangle_row_side(p, j, 0u);
-    const uint s = t - first_side.first;
-    if (j > last || s >= 3u * first_side.triangles) {
-        return triangle_odd_centre(p);
-    }
-    const uint number = s < first_side.triangles ? 0u : (s < 2u * first_side.triangles ? 1u : 2u);
-    const RowSide side = triangle_row_side(p, j, number);
-    return row_side_triangle(side, t - side.first);
+    return make_triangle(0u, 1u, 2u);
 }
 
 KERNELS_END

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "layout.h"
 #include "tessellate/launch_shape.hpp"
+#include "tessellate/shared_pattern.hpp"
 #include "tessellate/stage_clock.hpp"
 
 #include <fmt/format.h>
@@ -53,8 +54,11 @@ std::string_view name(StageId stage) {
 struct DomainStages {
     Domain domain = Domain::triangle;
     Stage nets, vertices, indices;
+    SharedPattern pattern;
     std::vector<std::uint32_t> patches;
     std::uint32_t list_start = 0;
+
+    bool has_pattern() const { return pattern.stride != 0; }
 
     /// The entries of the list that lie in a range of patches: first and count.
     std::pair<std::uint32_t, std::uint32_t> entries(std::uint32_t first_patch, std::uint32_t patch_count) const {
@@ -99,10 +103,6 @@ struct Job::State {
         return device.create_buffer({label, bytes, storage_usage});
     }
 
-    std::string variant(const char* stage, std::string_view first, Domain domain) const {
-        return fmt::format("{}_{}_{}_{}", stage, first, name(options.normals), name(domain));
-    }
-
     std::uint32_t stride() const { return net_stride(options, patches.has_quads); }
 
     template <typename Body>
@@ -116,9 +116,13 @@ struct Job::State {
         control_vertices = storage("control vertices", patches.control_vertices.size() * sizeof(Vertex));
         nets = storage("control nets", std::uint64_t{plan.largest_chunk} * stride() * 4);
         domains[1].domain = Domain::quad;
+        // Nets for true normals carry the corners' own for where the surface has none.
+        const auto net_normals = name(options.normals == Normals::quadratic ? Normals::quadratic : Normals::linear);
         for_used_domains([&](DomainStages& d) {
-            d.nets = Stage(device, variant("control_net", name(options.scheme), d.domain),
-                           {control_vertices, patch_corners, patch_list, nets}, parameters);
+            d.nets =
+                Stage(device, fmt::format("control_net_{}_{}_{}", name(options.scheme), net_normals, name(d.domain)),
+                      {control_vertices, patch_corners, patch_list, nets}, parameters);
+            d.pattern = make_shared_pattern(device, d.domain, options, patches.patch_count());
         });
         device.queue().write_buffer(control_vertices, 0, std::as_bytes(std::span(patches.control_vertices)));
     }
@@ -162,16 +166,22 @@ struct Job::State {
             vertices = storage("vertices", vertex_bytes);
             const auto degree = degree_names[static_cast<std::size_t>(options.scheme)];
             for_used_domains([&](DomainStages& d) {
-                d.vertices = Stage(device, variant("vertices", degree, d.domain),
-                                   {nets, counter.records(), counter.offsets(), patch_list, vertices}, parameters);
+                d.vertices = Stage(device,
+                                   fmt::format("vertices_{}_{}_{}{}", degree, name(options.normals), name(d.domain),
+                                               d.has_pattern() ? "_shared" : ""),
+                                   {nets, d.has_pattern() ? d.pattern.points : counter.records(), counter.offsets(),
+                                    patch_list, vertices},
+                                   parameters);
             });
         }
         if (index_bytes > (indices ? indices.size() : 0)) {
             if (indices) indices.destroy();
             indices = storage("indices", index_bytes);
             for_used_domains([&](DomainStages& d) {
-                d.indices = Stage(device, fmt::format("indices_{}", name(d.domain)),
-                                  {counter.records(), counter.offsets(), patch_list, indices}, parameters);
+                d.indices = Stage(
+                    device, fmt::format("indices_{}", d.has_pattern() ? "shared" : name(d.domain)),
+                    {d.has_pattern() ? d.pattern.indices : counter.records(), counter.offsets(), patch_list, indices},
+                    parameters);
             });
         }
     }
@@ -267,8 +277,8 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
         for (const DomainStages& d : s.domains) {
             const auto [first, count] = d.entries(batch.first_patch, batch.patch_count);
             if (count == 0) continue;
-            const kernels::EmitParams params{first,       count,     lanes, batch.first_vertex, batch.first_index,
-                                             vertex_base, s.stride()};
+            const kernels::EmitParams params{
+                first, count, lanes, batch.first_vertex, batch.first_index, vertex_base, s.stride(), d.pattern.stride};
             (d.*stage).record(pass, s.parameters.push(params), std::uint64_t{count} << lanes);
         }
         pass.end();
@@ -312,6 +322,9 @@ std::uint64_t Job::device_bytes() const {
     for (const gpu::Buffer* buffer :
          {&s.control_vertices, &s.patch_corners, &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
         bytes += *buffer ? buffer->size() : 0;
+    }
+    for (const DomainStages& d : s.domains) {
+        bytes += d.has_pattern() ? d.pattern.device_bytes() : 0;
     }
     return bytes;
 }

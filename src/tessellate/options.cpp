@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> domain_names{"triangle", "quad", "isoline"};
 constexpr std::array<std::string_view, 3> scheme_names{"linear", "phong", "pn"};
-constexpr std::array<std::string_view, 2> normals_names{"linear", "quadratic"};
+constexpr std::array<std::string_view, 3> normals_names{"linear", "quadratic", "true"};
 constexpr std::array<std::string_view, 5> partitioning_names{"integer", "pow2", "fractional_odd", "fractional_even",
                                                              "uniform"};
 

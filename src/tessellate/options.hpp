@@ -24,6 +24,7 @@ enum class Scheme {
 enum class Normals {
     linear,     ///< interpolated from the corners
     quadratic,  ///< with a coefficient per edge, Vlachos et al. 2001, section 3.3
+    surface,    ///< "true": the surface's own, across its derivatives; neighbours differ where it has a crease
 };
 
 /// How a factor becomes segments. The values are those of the kernels (kernels/layout.h).

@@ -19,7 +19,7 @@ constexpr std::size_t patterns_per_run = 1024;
 void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, bool clockwise,
                 std::span<const PatchFactors> factors, std::vector<Pattern>& patterns) {
     const auto count = static_cast<std::uint32_t>(factors.size());
-    ParameterRing parameters(device, PatchCounter::parameter_slots + 1);
+    ParameterRing parameters(device, PatchCounter::parameter_slots + 2);
     PatchCounter counter(device, count, true, parameters);
     counter.upload_factors(device, factors);
     gpu::CommandEncoder encoder = device.create_command_encoder();
@@ -33,7 +33,7 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
     const std::vector<PatchOffset> offsets = counter.read_offsets(device, count);
     const PatchOffset total = offsets.back();
 
-    std::vector<DomainPoint> points(total.vertex);
+    std::vector<std::uint32_t> points(std::size_t{total.vertex} * 2);  // all u, then all v
     std::vector<std::uint32_t> indices(total.index);
     if (total.vertex > 0) {
         const auto usage = BufferUsage::storage | BufferUsage::copy_source;
@@ -51,12 +51,14 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
                                   {counter.records(), counter.offsets(), list, index_buffer}, parameters);
         const std::uint32_t lanes = lanes_log2(device.info(), count, total.vertex);
         parameters.reset();
-        const std::uint32_t emit = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0});
+        const std::uint32_t emit_points =
+            parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0, total.vertex});
+        const std::uint32_t emit_indices = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0, 0});
         parameters.upload(device);
         encoder = device.create_command_encoder();
         pass = encoder.begin_compute_pass();
-        points_stage.record(pass, emit, std::uint64_t{count} << lanes);
-        indices_stage.record(pass, emit, std::uint64_t{count} << lanes);
+        points_stage.record(pass, emit_points, std::uint64_t{count} << lanes);
+        indices_stage.record(pass, emit_indices, std::uint64_t{count} << lanes);
         pass.end();
         device.queue().submit(encoder.finish());
         device.queue().read_buffer(point_buffer, 0, std::as_writable_bytes(std::span(points)));
@@ -64,7 +66,9 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         Pattern pattern;
-        pattern.points.assign(points.begin() + offsets[i].vertex, points.begin() + offsets[i + 1].vertex);
+        for (std::uint32_t at = offsets[i].vertex; at < offsets[i + 1].vertex; ++at) {
+            pattern.points.push_back({points[at], points[total.vertex + at]});
+        }
         pattern.indices.assign(indices.begin() + offsets[i].index, indices.begin() + offsets[i + 1].index);
         for (std::uint32_t& index : pattern.indices) {
             index -= offsets[i].vertex;

@@ -23,7 +23,7 @@ std::uint64_t chunk_bytes_per_patch(std::uint64_t net_bytes) {
 
 std::uint32_t net_stride(const TessellationOptions& options, bool has_quads) {
     const std::uint32_t degree = static_cast<std::uint32_t>(options.scheme) + 1u;
-    const std::uint32_t normal_degree = static_cast<std::uint32_t>(options.normals) + 1u;
+    const std::uint32_t normal_degree = options.normals == Normals::quadratic ? 2u : 1u;
     return has_quads ? QUAD_NET_FLOATS(degree, normal_degree) : NET_FLOATS(degree, normal_degree);
 }
 

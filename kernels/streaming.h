@@ -1,0 +1,192 @@
+// How runs reach memory on CPUs: transposed from arrays into vertices by vector shuffles, and written past the caches
+// where the processor can. Read by C++ (dialect.h) and put in front of every OpenCL source, for only the device's
+// compiler knows what it has; TESSERA_RUN comes as a build option there. GLSL writes runs of one element directly.
+#ifndef TESSERA_STREAMING_H
+#define TESSERA_STREAMING_H
+
+#if defined(__OPENCL_VERSION__)
+
+#define TESSERA_GLOBAL __global
+#ifdef __clang__
+#define TESSERA_INLINE static inline __attribute__((always_inline))  // what is not inlined is not vectorised
+#else
+#define TESSERA_INLINE static inline
+#endif
+typedef float16 tessera_float16;
+typedef float8 tessera_float8;
+typedef uint16 tessera_uint16;
+#define TESSERA_LOAD16(words) vload16(0, words)
+#define TESSERA_LOAD8(words) vload8(0, words)
+#define TESSERA_PREFETCH(pointer)
+#ifdef __has_builtin
+#if __has_builtin(__builtin_prefetch)
+#undef TESSERA_PREFETCH
+#define TESSERA_PREFETCH(pointer) __builtin_prefetch(pointer)
+#endif
+#if __has_builtin(__builtin_nontemporal_store)
+#define TESSERA_STREAM(type, pointer, value) __builtin_nontemporal_store(value, (__global type*)(pointer))
+#endif
+#if __has_builtin(__builtin_ia32_sfence)
+#define TESSERA_STREAM_END __builtin_ia32_sfence()
+#endif
+#if __has_builtin(__builtin_shufflevector)
+#define TESSERA_SHUFFLES
+#endif
+#endif
+#ifndef TESSERA_SHUFFLES  // no vectors to transpose: one element at a time
+#undef TESSERA_RUN
+#define TESSERA_RUN 1
+#endif
+#ifndef TESSERA_STREAM
+#define TESSERA_STREAM(type, pointer, value) (*(__global type*)(pointer) = (value))
+#endif
+#ifndef TESSERA_STREAM_END
+#define TESSERA_STREAM_END
+#endif
+#if defined(__clang__) && TESSERA_RUN > 1
+#define TESSERA_FOR_RUN _Pragma("clang loop vectorize(enable) vectorize_width(16)")
+#else
+#define TESSERA_FOR_RUN
+#endif
+
+#else  // C++
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors wider than registers never leave a function that is not inlined
+#endif
+
+#define TESSERA_RUN 16
+#define TESSERA_GLOBAL
+#define TESSERA_INLINE [[gnu::always_inline]] inline
+KERNELS_BEGIN
+typedef unsigned uint;
+typedef float tessera_float16 __attribute__((vector_size(64)));
+typedef float tessera_float8 __attribute__((vector_size(32)));
+typedef uint tessera_uint16 __attribute__((vector_size(64)));
+template <typename Vector, typename Word>
+TESSERA_INLINE Vector load_vector(const Word* words) {
+    Vector v;
+    std::memcpy(&v, words, sizeof v);
+    return v;
+}
+/// `to` lies on 16 bytes.
+template <typename Vector>
+TESSERA_INLINE void stream_vector(void* to, Vector v) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof v == 64) {
+        _mm512_stream_si512(static_cast<__m512i*>(to), reinterpret_cast<__m512i&>(v));
+        return;
+    }
+#endif
+#if defined(__SSE2__)
+    __m128i parts[sizeof v / 16];
+    std::memcpy(parts, &v, sizeof v);
+    for (unsigned i = 0; i < sizeof v / 16; ++i)
+        _mm_stream_si128(static_cast<__m128i*>(to) + i, parts[i]);
+#else
+    std::memcpy(to, &v, sizeof v);
+#endif
+}
+#define TESSERA_PREFETCH(pointer) __builtin_prefetch(pointer)
+#define TESSERA_LOAD16(words) load_vector<tessera_float16>(words)
+#define TESSERA_LOAD8(words) load_vector<tessera_float8>(words)
+#define TESSERA_STREAM(type, pointer, value) stream_vector<type>(pointer, value)
+#if defined(__SSE2__)
+#define TESSERA_STREAM_END _mm_sfence()
+#else
+#define TESSERA_STREAM_END
+#endif
+
+#endif
+
+#if TESSERA_RUN == 1
+
+#define TESSERA_STREAM_VERTICES(buffer, start, first, count, run) \
+    TESSERA_STREAM(tessera_float8, buffer + 8u * (start + (first)), TESSERA_LOAD8(run))
+#define TESSERA_STREAM_WORDS(pointer, run) (*(pointer) = (run)[0])
+
+#else
+
+/// Words 0, 1, 4, 5... or 2, 3, 6, 7... of two rows of 16, in turns; then the same of pairs of words.
+#define TESSERA_LOW(a, b) __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29)
+#define TESSERA_HIGH(a, b) __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)
+#define TESSERA_LOW2(a, b) __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29)
+#define TESSERA_HIGH2(a, b) __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
+/// Quarters of two rows: the first or last two of each; the even or odd ones of each.
+#define TESSERA_FIRST(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23)
+#define TESSERA_LAST(a, b) __builtin_shufflevector(a, b, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31)
+#define TESSERA_EVEN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27)
+#define TESSERA_ODD(a, b) __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)
+
+/// Two vertices, of which those below `count` are written.
+TESSERA_INLINE void tessera_stream_pair(TESSERA_GLOBAL float* buffer, uint start, uint i, uint count,
+                                        tessera_float16 pair) {
+    TESSERA_GLOBAL float* at = buffer + 8u * (start + i);
+    if (i < count && i + 1u < count) {
+        TESSERA_STREAM(tessera_float16, at, pair);
+    } else if (i < count) {
+        TESSERA_STREAM(tessera_float8, at, __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7));
+    } else if (i + 1u < count) {
+        TESSERA_STREAM(tessera_float8, buffer + 8u * (start + i + 1u),
+                       __builtin_shufflevector(pair, pair, 8, 9, 10, 11, 12, 13, 14, 15));
+    }
+}
+
+/// Vertices first..first + 15 of a patch, those below `count`, to a buffer in which the patch begins at vertex `start`;
+/// start + first is even. `run` holds 16 of each of a vertex's eight words.
+TESSERA_INLINE void tessera_stream_vertices(TESSERA_GLOBAL float* buffer, uint start, uint first, uint count,
+                                            const float* run) {
+    const tessera_float16 r0 = TESSERA_LOAD16(run), r1 = TESSERA_LOAD16(run + 16);
+    const tessera_float16 r2 = TESSERA_LOAD16(run + 32), r3 = TESSERA_LOAD16(run + 48);
+    const tessera_float16 r4 = TESSERA_LOAD16(run + 64), r5 = TESSERA_LOAD16(run + 80);
+    const tessera_float16 r6 = TESSERA_LOAD16(run + 96), r7 = TESSERA_LOAD16(run + 112);
+    // Per quarter of four vertices: words 0 to 3 of vertex j in a_j, 4 to 7 in b_j.
+    const tessera_float16 l01 = TESSERA_LOW(r0, r1), h01 = TESSERA_HIGH(r0, r1);
+    const tessera_float16 l23 = TESSERA_LOW(r2, r3), h23 = TESSERA_HIGH(r2, r3);
+    const tessera_float16 l45 = TESSERA_LOW(r4, r5), h45 = TESSERA_HIGH(r4, r5);
+    const tessera_float16 l67 = TESSERA_LOW(r6, r7), h67 = TESSERA_HIGH(r6, r7);
+    const tessera_float16 a0 = TESSERA_LOW2(l01, l23), a1 = TESSERA_HIGH2(l01, l23);
+    const tessera_float16 a2 = TESSERA_LOW2(h01, h23), a3 = TESSERA_HIGH2(h01, h23);
+    const tessera_float16 b0 = TESSERA_LOW2(l45, l67), b1 = TESSERA_HIGH2(l45, l67);
+    const tessera_float16 b2 = TESSERA_LOW2(h45, h67), b3 = TESSERA_HIGH2(h45, h67);
+    const tessera_float16 f0 = TESSERA_FIRST(a0, b0), f1 = TESSERA_FIRST(a1, b1);
+    const tessera_float16 f2 = TESSERA_FIRST(a2, b2), f3 = TESSERA_FIRST(a3, b3);
+    const tessera_float16 s0 = TESSERA_LAST(a0, b0), s1 = TESSERA_LAST(a1, b1);
+    const tessera_float16 s2 = TESSERA_LAST(a2, b2), s3 = TESSERA_LAST(a3, b3);
+    const uint i = first;
+    if (i < count && count - i >= 16u) {
+        TESSERA_GLOBAL float* at = buffer + 8u * (start + i);
+        TESSERA_STREAM(tessera_float16, at, TESSERA_EVEN(f0, f1));
+        TESSERA_STREAM(tessera_float16, at + 16, TESSERA_EVEN(f2, f3));
+        TESSERA_STREAM(tessera_float16, at + 32, TESSERA_ODD(f0, f1));
+        TESSERA_STREAM(tessera_float16, at + 48, TESSERA_ODD(f2, f3));
+        TESSERA_STREAM(tessera_float16, at + 64, TESSERA_EVEN(s0, s1));
+        TESSERA_STREAM(tessera_float16, at + 80, TESSERA_EVEN(s2, s3));
+        TESSERA_STREAM(tessera_float16, at + 96, TESSERA_ODD(s0, s1));
+        TESSERA_STREAM(tessera_float16, at + 112, TESSERA_ODD(s2, s3));
+        return;
+    }
+    tessera_stream_pair(buffer, start, i, count, TESSERA_EVEN(f0, f1));
+    tessera_stream_pair(buffer, start, i + 2u, count, TESSERA_EVEN(f2, f3));
+    tessera_stream_pair(buffer, start, i + 4u, count, TESSERA_ODD(f0, f1));
+    tessera_stream_pair(buffer, start, i + 6u, count, TESSERA_ODD(f2, f3));
+    tessera_stream_pair(buffer, start, i + 8u, count, TESSERA_EVEN(s0, s1));
+    tessera_stream_pair(buffer, start, i + 10u, count, TESSERA_EVEN(s2, s3));
+    tessera_stream_pair(buffer, start, i + 12u, count, TESSERA_ODD(s0, s1));
+    tessera_stream_pair(buffer, start, i + 14u, count, TESSERA_ODD(s2, s3));
+}
+
+#define TESSERA_STREAM_VERTICES(buffer, start, first, count, run) \
+    tessera_stream_vertices(buffer, start, first, count, run)
+#define TESSERA_STREAM_WORDS(pointer, run) TESSERA_STREAM(tessera_uint16, pointer, TESSERA_LOAD_WORDS(run))
+
+#endif
+
+#if !defined(__OPENCL_VERSION__)
+#define TESSERA_LOAD_WORDS(words) load_vector<tessera_uint16>(words)
+KERNELS_END
+#elif TESSERA_RUN == 16
+#define TESSERA_LOAD_WORDS(words) vload16(0, words)
+#endif
+
+#endif

@@ -1,0 +1,10 @@
+// Takes back the names of triangle_domain.h and quad_domain.h. No include guard.
+#undef PATCH_TYPE
+#undef LOAD_PATCH
+#undef PATCH_HAS_RINGS
+#undef RING_POINT
+#undef PLAIN_POINT
+#undef OUTER_COUNT
+#undef OUTER_TRIANGLE
+#undef INNER_TRIANGLE
+#undef PLAIN_TRIANGLE

@@ -1,0 +1,12 @@
+// The names by which kernel templates know the quad domain; tessellator/end_domain.h takes them back. No include guard.
+#include "tessellator/quad.h"
+
+#define PATCH_TYPE QuadPatch
+#define LOAD_PATCH LOAD_QUAD_PATCH
+#define PATCH_HAS_RINGS quad_has_rings
+#define RING_POINT quad_ring_point
+#define PLAIN_POINT quad_plain_point
+#define OUTER_COUNT quad_outer_count
+#define OUTER_TRIANGLE quad_outer_triangle
+#define INNER_TRIANGLE quad_inner_triangle
+#define PLAIN_TRIANGLE quad_plain_triangle
