@@ -162,7 +162,7 @@ std::vector<JobWords> variants(const Words& words) {
     }
     std::vector<JobWords> list;
     for (const char* scheme : {"linear", "phong", "pn"}) {
-        for (const char* normals : {"linear", "quadratic"}) {
+        for (const char* normals : {"linear", "quadratic", "true"}) {
             for (const char* partitioning : {"integer", "pow2", "fractional_odd", "fractional_even", "uniform"}) {
                 JobWords job = words.job;
                 job.scheme = scheme;

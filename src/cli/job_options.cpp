@@ -86,7 +86,8 @@ PatchFactors factors_from_words(const std::string& words, Domain domain) {
 
 void add_job_options(CLI::App& command, JobWords& words) {
     command.add_option("--scheme", words.scheme, "Surface: linear, phong or pn")->capture_default_str();
-    command.add_option("--normals", words.normals, "How normals vary: linear or quadratic")->capture_default_str();
+    command.add_option("--normals", words.normals, "How normals vary: linear, quadratic, or true (the surface's own)")
+        ->capture_default_str();
     command
         .add_option("--factor", words.factor,
                     "Tessellation factor: F, or all of a patch (4 for triangles, 6 for quads), or "

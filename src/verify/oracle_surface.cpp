@@ -140,6 +140,11 @@ SurfaceComparison compare_surface(FixedFunctionTessellator& stage, const gpu::De
                     "The fixed-function stage evaluates triangle patches only, and this model has quads; "
                     "compare its devices with `tessera verify` instead.");
     }
+    if (options.normals == Normals::surface) {
+        throw Error(ErrorKind::usage,
+                    "The fixed-function stage is asked for linear and quadratic normals only; compare true normals "
+                    "between devices with `tessera verify` instead.");
+    }
     const CapturedSurface surface{options.scheme, options.normals, options.alpha};
     SurfaceComparison result;
     for (std::size_t first = 0; first < patches.patch_count(); first += patches_per_run) {

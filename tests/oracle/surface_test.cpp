@@ -70,6 +70,12 @@ TEST_F(SurfaceOracle, TakesOneSetOfFactorsForAllPatches) {
     expect_equal(result, options);
 }
 
+TEST_F(SurfaceOracle, RefusesTrueNormals) {
+    TessellationOptions options;
+    options.normals = Normals::surface;
+    EXPECT_THROW(verify::compare_surface(stage(), open_device("reference"), random_patches(3, 3), options), Error);
+}
+
 TEST_F(SurfaceOracle, RefusesAnotherNumberOfFactors) {
     TessellationOptions options;
     options.factors = std::vector<PatchFactors>(2);

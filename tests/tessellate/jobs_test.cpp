@@ -33,7 +33,7 @@ TEST_P(Jobs, WriteEveryElementOfEveryStage) {
     for (const Partitioning partitioning :
          {Partitioning::integer, Partitioning::fractional_odd, Partitioning::uniform}) {
         for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
-            for (const Normals normals : {Normals::linear, Normals::quadratic}) {
+            for (const Normals normals : {Normals::linear, Normals::quadratic, Normals::surface}) {
                 TessellationOptions options;
                 options.scheme = scheme;
                 options.normals = normals;
@@ -127,7 +127,7 @@ TEST(JobOptions, TooManyControlVerticesForABindingAreRefused) {
 TEST(Names, RoundTrip) {
     for (const Scheme s : {Scheme::linear, Scheme::phong, Scheme::pn})
         EXPECT_EQ(scheme_from_name(name(s)), s);
-    for (const Normals n : {Normals::linear, Normals::quadratic})
+    for (const Normals n : {Normals::linear, Normals::quadratic, Normals::surface})
         EXPECT_EQ(normals_from_name(name(n)), n);
     for (std::uint32_t p = 0; p < 5; ++p) {
         EXPECT_EQ(partitioning_from_name(name(static_cast<Partitioning>(p))), static_cast<Partitioning>(p));

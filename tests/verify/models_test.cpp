@@ -95,7 +95,7 @@ TEST(Models, AreThere) {
 TEST(Shapes, HaveTheSameBitsOnEveryDevice) {
     const patches::PatchSet set = test::load_patches("shape:icosahedron");
     for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
-        for (const Normals normals : {Normals::linear, Normals::quadratic}) {
+        for (const Normals normals : {Normals::linear, Normals::quadratic, Normals::surface}) {
             for (const Partitioning partitioning : partitionings) {
                 SCOPED_TRACE(fmt::format("{} {} {}", name(scheme), name(normals), name(partitioning)));
                 TessellationOptions options;
