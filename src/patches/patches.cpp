@@ -49,7 +49,7 @@ PatchSet make_patches(const scene::Scene& scene) {
         vertex_count += mesh.positions.size();
         patch_count += mesh.triangles.size() / 3 + mesh.quads.size() / 4;
     }
-    if (patch_count == 0 && scene.guides.empty()) {
+    if (patch_count == 0) {
         throw Error(ErrorKind::usage,
                     fmt::format("{} holds no triangles or quads, so there is nothing to tessellate.", scene.source));
     }

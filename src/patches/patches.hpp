@@ -49,8 +49,7 @@ int scene_exponent(const scene::Scene& scene);
 
 /// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60
 /// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel.
-/// A scene of hair alone gives an empty set. Throws Error(usage) where there is nothing to tessellate, neither faces
-/// nor guides, or more than 2^32 - 1 control vertices.
+/// Throws Error(usage) where there is nothing to tessellate or more than 2^32 - 1 control vertices.
 PatchSet make_patches(const scene::Scene& scene);
 
 /// A position of kernel space in the model's units; exact unless the result is denormal or overflows.
