@@ -33,24 +33,27 @@ FUNCTION HairWeights hair_weights(uint guides, uint number, uint total, uint see
     return w;
 }
 
-FUNCTION float blend_guides(float wa, float wb, float wc, float a, float b, float c) {
-    return flush_hair((wa * a + wb * b) + wc * c);
-}
-
-FUNCTION Vector blend_guide_vectors(float wa, float wb, float wc, Vector a, Vector b, Vector c) {
-    return make_vector(blend_guides(wa, wb, wc, a.x, b.x, c.x), blend_guides(wa, wb, wc, a.y, b.y, c.y),
-                       blend_guides(wa, wb, wc, a.z, b.z, c.z));
-}
-
-FUNCTION HairPoint blend_hair(HairWeights w, HairPoint a, HairPoint b, HairPoint c) {
-    const float wa = to_float(w.a) * 0.0000152587890625f;
-    const float wb = to_float(w.b) * 0.0000152587890625f;
-    const float wc = to_float(w.c) * 0.0000152587890625f;
+FUNCTION HairPoint no_hair_point() {
     HairPoint p;
-    p.position = blend_guide_vectors(wa, wb, wc, a.position, b.position, c.position);
-    p.tangent = blend_guide_vectors(wa, wb, wc, a.tangent, b.tangent, c.tangent);
-    p.normal = blend_guide_vectors(wa, wb, wc, a.normal, b.normal, c.normal);
-    p.width = blend_guides(wa, wb, wc, a.width, b.width, c.width);
+    p.position = make_vector(0.0f, 0.0f, 0.0f);
+    p.tangent = make_vector(0.0f, 0.0f, 0.0f);
+    p.normal = make_vector(0.0f, 0.0f, 0.0f);
+    p.width = 0.0f;
+    return p;
+}
+
+FUNCTION Vector add_weighted_vector(Vector sum, Vector v, float weight) {
+    return flush_hair_vector(add(sum, scale(v, weight)));
+}
+
+/// Adds a guide's share to a hair. The first share of 1 is the guide itself, to the bit.
+FUNCTION HairPoint add_guide(HairPoint sum, HairPoint guide, uint weight) {
+    const float w = to_float(weight) * 0.0000152587890625f;
+    HairPoint p;
+    p.position = add_weighted_vector(sum.position, guide.position, w);
+    p.tangent = add_weighted_vector(sum.tangent, guide.tangent, w);
+    p.normal = add_weighted_vector(sum.normal, guide.normal, w);
+    p.width = flush_hair(sum.width + w * guide.width);
     return p;
 }
 

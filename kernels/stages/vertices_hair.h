@@ -2,7 +2,6 @@
 #include "hair/emission.h"
 #include "hair/interpolation.h"
 #include "hair/ribbon.h"
-#include "schemes/surface_vertex.h"
 #include "tessellator/isoline.h"
 
 KERNELS_BEGIN
@@ -18,12 +17,6 @@ KERNEL6(vertices_hair, READ(0, float, curves), READ(1, uint, hair_patches), READ
     const uint start = RIBBON_VERTEX_START(p, offsets, e.patch_index);
     const uint count = isoline_point_count(t);
     const uint words = e.patch_index * HAIR_PATCH_WORDS;
-    const uint segment_a = hair_patches[words];
-    const uint segments_a = hair_patches[words + 1u];
-    const uint segment_b = hair_patches[words + 2u];
-    const uint segments_b = hair_patches[words + 3u];
-    const uint segment_c = hair_patches[words + 4u];
-    const uint segments_c = hair_patches[words + 5u];
     const uint guides = hair_patches[words + 6u];
     const uint first_hair = hair_patches[words + 7u];
     const uint hairs = hair_patches[words + 8u];
@@ -33,29 +26,24 @@ KERNEL6(vertices_hair, READ(0, float, curves), READ(1, uint, hair_patches), READ
     for (uint i = e.lane; i < count; i = i + e.lanes) {
         const uint u = isoline_point(t, i).u;
         const HairWeights weights = hair_weights(guides, first_hair + i / t.detail.points, hairs, seed);
-        const GuidePlace place_a = guide_place(segments_a, u);
-        const GuidePlace place_b = guide_place(segments_b, u);
-        const GuidePlace place_c = guide_place(segments_c, u);
-        GuideCurve a;
-        GuideCurve b;
-        GuideCurve c;
-        LOAD_GUIDE_CURVE(a, curves, (segment_a + place_a.segment) * GUIDE_CURVE_FLOATS);
-        LOAD_GUIDE_CURVE(b, curves, (segment_b + place_b.segment) * GUIDE_CURVE_FLOATS);
-        LOAD_GUIDE_CURVE(c, curves, (segment_c + place_c.segment) * GUIDE_CURVE_FLOATS);
-        const HairPoint hair = blend_hair(weights, guide_point(a, segments_a, place_a.t),
-                                          guide_point(b, segments_b, place_b.t), guide_point(c, segments_c, place_c.t));
+        HairPoint hair = no_hair_point();
+        for (uint guide = 0u; guide < guides; ++guide) {
+            const uint segments = hair_patches[words + 2u * guide + 1u];
+            const GuidePlace place = guide_place(segments, u);
+            GuideCurve curve;
+            LOAD_GUIDE_CURVE(curve, curves, (hair_patches[words + 2u * guide] + place.segment) * GUIDE_CURVE_FLOATS);
+            const uint weight = guide == 0u ? weights.a : (guide == 1u ? weights.b : weights.c);
+            hair = add_guide(hair, guide_point(curve, segments, place.t), weight);
+        }
         const Ribbon ribbon = make_ribbon(hair.position, hair.tangent, p.ribbons, target);
-        const Vector normal = hair_unit(hair.normal, ribbon.facing);
+        const Vector normal = hair_normal(hair.normal, ribbon.facing);
         const Vector reach = flush_hair_vector(scale(ribbon.side, ribbon_half_width(hair.width, p.taper, u)));
-        const Vector left = make_vector(-ribbon.side.x, -ribbon.side.y, -ribbon.side.z);
         const float along = to_float(u) * 0.0000152587890625f;
-        const uint at = (start + RIBBON_VERTICES * i) * VERTEX_FLOATS;
-        const SurfaceVertex on_left = make_surface_vertex(subtract(hair.position, reach),
-                                                          ribbon_normal(normal, left, ribbon.facing), 0.0f, along);
-        STORE_SURFACE_VERTEX(vertex_buffer, at, on_left);
-        const SurfaceVertex on_right = make_surface_vertex(
-            add(hair.position, reach), ribbon_normal(normal, ribbon.side, ribbon.facing), 1.0f, along);
-        STORE_SURFACE_VERTEX(vertex_buffer, at + VERTEX_FLOATS, on_right);
+        for (uint right = 0u; right < RIBBON_VERTICES; ++right) {
+            const SurfaceVertex vertex =
+                ribbon_vertex(hair.position, reach, normal, ribbon.side, right == 0u ? -1.0f : 1.0f, along);
+            STORE_SURFACE_VERTEX(vertex_buffer, (start + RIBBON_VERTICES * i + right) * VERTEX_FLOATS, vertex);
+        }
     }
 }
 
