@@ -4,7 +4,7 @@ from .glb import png
 from .implicit import unit
 from .turned import directions, strips
 
-GUIDES = 420
+GUIDES = 440
 POINTS = 6  # of a guide
 RADIUS = 0.85
 WIDTH = 0.013
@@ -51,7 +51,8 @@ def guide(normal, noise):
     facing = dot(normal, FACE)
     front = min(1.0, max(0.0, (facing - 0.55) / 0.4))  # 1 amid the face, 0 behind the cheeks
     crown = max(0.0, dot(normal, (0.0, 1.0, 0.0))) ** 6
-    length = (0.50 + 0.06 * noise()) * (1.0 - 0.72 * front) + 0.34 * crown
+    below = max(0.0, -normal[1]) ** 2
+    length = (0.48 + 0.08 * noise()) * (1.0 - 0.66 * front) * (1.0 - 0.6 * below) + 0.36 * crown
     away = unit(add(normal, FACE, -facing)) if facing < 0.999 else (0.0, 1.0, 0.0)
     direction = unit(add(normal, away, 0.25 + 0.5 * front))
     curl = (0.22 * noise(), 0.10 * noise(), 0.22 * noise())
@@ -104,7 +105,7 @@ def parts():
     for side, name in ((-1.0, "right"), (1.0, "left")):
         result.append((f"{name} eye", *ball((0.27 * side, 0.28, 0.80), (0.20, 0.23, 0.20)), EYE))
         result.append((f"{name} pupil", *ball((0.245 * side, 0.29, 0.935), (0.085, 0.105, 0.085)), PUPIL))
-        result.append((f"{name} foot", *ball((0.36 * side, -0.97, 0.26), (0.24, 0.11, 0.36)), FOOT))
+        result.append((f"{name} foot", *ball((0.38 * side, -1.06, 0.42), (0.26, 0.12, 0.40)), FOOT))
     return result
 
 

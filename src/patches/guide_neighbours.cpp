@@ -65,7 +65,7 @@ struct Sphere {
     double square;
 };
 
-/// The smallest sphere through three points; none where they lie on a line.
+/// The smallest sphere through three points; none where they lie on a line or nearly so (an angle above 168 degrees).
 std::optional<Sphere> sphere_through(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;
@@ -74,7 +74,25 @@ std::optional<Sphere> sphere_through(const glm::dvec3& a, const glm::dvec3& b, c
     if (!(area > 1e-12 * glm::dot(ab, ab) * glm::dot(ac, ac))) return std::nullopt;
     const glm::dvec3 to_centre =
         (glm::cross(across, ab) * glm::dot(ac, ac) + glm::cross(ac, across) * glm::dot(ab, ab)) / (2.0 * area);
-    return Sphere{a + to_centre, glm::dot(to_centre, to_centre)};
+    const double square = glm::dot(to_centre, to_centre);
+    const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(c - b, c - b)});
+    if (!(longest > 0.16 * square)) return std::nullopt;  // the sine of that angle is longest / (2 radius)
+    return Sphere{a + to_centre, square};
+}
+
+/// The smallest sphere through two points.
+Sphere sphere_through(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 half = (b - a) * 0.5;
+    return {a + half, glm::dot(half, half)};
+}
+
+/// Whether a sphere through the root of a list, `b` and `c` holds another point of the list.
+bool holds_another(const Sphere& sphere, const std::vector<glm::dvec3>& points, const Neighbours& around,
+                   std::uint32_t b, std::uint32_t c) {
+    return std::ranges::any_of(around.nearest, [&](std::uint32_t other) {
+        const glm::dvec3 away = points[other] - sphere.centre;
+        return other != b && other != c && glm::dot(away, away) < sphere.square;
+    });
 }
 
 bool opposed(const glm::vec3& a, const glm::vec3& b) {
@@ -91,10 +109,8 @@ std::vector<HairPatch> neighbouring_guides(std::span<const glm::vec3> roots, std
     const auto count = static_cast<std::uint32_t>(roots.size());
     std::vector<HairPatch> patches;
     std::vector<bool> in_triangle(count, false);
-    std::vector<std::uint32_t> nearest(count, no_guide);
     for (std::uint32_t root = 0; root < count; ++root) {
         const Neighbours around = neighbours_of(tree, cloud.points, root);
-        if (!around.nearest.empty()) nearest[root] = around.nearest.front();
         for (std::size_t i = 0; i < around.nearest.size(); ++i) {
             for (std::size_t j = i + 1; j < around.nearest.size(); ++j) {
                 const std::uint32_t b = around.nearest[i];
@@ -105,11 +121,7 @@ std::vector<HairPatch> neighbouring_guides(std::span<const glm::vec3> roots, std
                 }
                 const auto sphere = sphere_through(cloud.points[root], cloud.points[b], cloud.points[c]);
                 if (!sphere || 2.0 * std::sqrt(sphere->square) > around.reach) continue;
-                const bool holds_another = std::ranges::any_of(around.nearest, [&](std::uint32_t other) {
-                    const glm::dvec3 away = cloud.points[other] - sphere->centre;
-                    return other != b && other != c && glm::dot(away, away) < sphere->square;
-                });
-                if (holds_another) continue;
+                if (holds_another(*sphere, cloud.points, around, b, c)) continue;
                 HairPatch patch{root, b, c};
                 std::ranges::sort(patch);
                 patches.push_back(patch);
@@ -120,8 +132,16 @@ std::vector<HairPatch> neighbouring_guides(std::span<const glm::vec3> roots, std
     }
     for (std::uint32_t root = 0; root < count; ++root) {
         if (in_triangle[root]) continue;
-        const std::uint32_t other = nearest[root];
-        patches.push_back({std::min(root, other), other == no_guide ? no_guide : std::max(root, other), no_guide});
+        const Neighbours around = neighbours_of(tree, cloud.points, root);
+        bool alone = true;
+        for (const std::uint32_t other : around.nearest) {
+            if (opposed(normals[root], normals[other])) continue;
+            const Sphere sphere = sphere_through(cloud.points[root], cloud.points[other]);
+            if (holds_another(sphere, cloud.points, around, other, other)) continue;
+            patches.push_back({std::min(root, other), std::max(root, other), no_guide});
+            alone = false;
+        }
+        if (alone) patches.push_back({root, no_guide, no_guide});
     }
     std::ranges::sort(patches);
     patches.erase(std::unique(patches.begin(), patches.end()), patches.end());

@@ -17,8 +17,8 @@ using HairPatch = std::array<std::uint32_t, 3>;
 
 /// Patches over all guides, in ascending order of the guides. Three guides make one where the smallest sphere through
 /// their roots holds no other root (a Gabriel simplex): in a plane these are the triangles of Delaunay, on a skin
-/// nearly so, and they do not overlap. A guide that is in no triangle makes a pair with its nearest neighbour; one that
-/// is alone stays alone. Normals (one per root, zero for none) keep guides apart that grow on opposite sides of
+/// nearly so, and they do not overlap. A guide that is in no triangle, as in a row, makes pairs by the same rule; one
+/// that is alone stays alone. Normals (one per root, zero for none) keep guides apart that grow on opposite sides of
 /// something thin. The result depends on nothing but the numbers.
 std::vector<HairPatch> neighbouring_guides(std::span<const glm::vec3> roots, std::span<const glm::vec3> normals);
 
