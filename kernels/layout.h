@@ -133,6 +133,7 @@ STRUCT(RibbonParams) {
     uint vertex_base;
     uint ribbons;  // RIBBONS_...
     float taper;   // share of the width that is lost at the tip
+    uint shorter;  // 16.16, up to 1: share of the length that the shortest hair lacks
     float x;       // the eye, or the direction
     float y;
     float z;

@@ -33,6 +33,15 @@ FUNCTION HairWeights hair_weights(uint guides, uint number, uint total, uint see
     return w;
 }
 
+/// By how much a hair ends before its guides do, as a share of their length in 16.16: a number of its own below
+/// `shorter`.
+FUNCTION uint hair_cut(uint number, uint seed, uint shorter) {
+    uint h = seed ^ (number * 2654435769u);
+    h = (h ^ (h >> 15u)) * 739982445u;
+    h = (h ^ (h >> 12u)) * 695872825u;
+    return ((h >> 16u) * shorter) >> 16u;
+}
+
 FUNCTION HairPoint no_hair_point() {
     HairPoint p;
     p.position = make_vector(0.0f, 0.0f, 0.0f);

@@ -25,11 +25,13 @@ KERNEL6(vertices_hair, READ(0, float, curves), READ(1, uint, hair_patches), READ
 
     for (uint i = e.lane; i < count; i = i + e.lanes) {
         const uint u = isoline_point(t, i).u;
-        const HairWeights weights = hair_weights(guides, first_hair + i / t.detail.points, hairs, seed);
+        const uint number = first_hair + i / t.detail.points;
+        const HairWeights weights = hair_weights(guides, number, hairs, seed);
+        const uint on_guides = u - ((u * hair_cut(number, seed, p.shorter)) >> 16u);
         HairPoint hair = no_hair_point();
         for (uint guide = 0u; guide < guides; ++guide) {
             const uint segments = hair_patches[words + 2u * guide + 1u];
-            const GuidePlace place = guide_place(segments, u);
+            const GuidePlace place = guide_place(segments, on_guides);
             GuideCurve curve;
             LOAD_GUIDE_CURVE(curve, curves, (hair_patches[words + 2u * guide] + place.segment) * GUIDE_CURVE_FLOATS);
             const uint weight = guide == 0u ? weights.a : (guide == 1u ? weights.b : weights.c);

@@ -13,6 +13,10 @@ void add_hair_options(CLI::App& command, HairWords& words, const std::string& de
                        "guides, else a hundredth of their mean length)");
     command.add_option("--hair-taper", words.taper, "Share of the width that hair loses towards its tip, 0 to 1")
         ->capture_default_str();
+    command
+        .add_option("--hair-variation", words.variation,
+                    "Share of its length that the shortest hair lacks, 0 to 1; every hair has a length of its own")
+        ->capture_default_str();
     command.add_option("--ribbons", words.ribbons,
                        fmt::format("Hair is drawn as ribbons that face the camera, or flat ones that stay as they are "
                                    "(default: {})",
@@ -32,6 +36,7 @@ HairOptions resolve_hair(const HairWords& words, Ribbons default_ribbons, std::u
     options.hairs = words.hairs;
     options.segments = words.segments;
     options.taper = words.taper;
+    options.variation = words.variation;
     options.ribbons = words.ribbons.empty() ? default_ribbons : ribbons_from_name(words.ribbons);
     if (!words.eye.empty()) options.eye = {words.eye[0], words.eye[1], words.eye[2]};
     options.memory_budget = memory_budget;

@@ -15,7 +15,7 @@ namespace tessera::cli {
 struct HairWords {
     std::uint32_t hairs = 16, segments = 16;
     std::optional<float> width;
-    float taper = 0.9f;
+    float taper = 0.9f, variation = 0.0f;
     std::string ribbons;  // empty: what suits the command
     std::vector<float> eye;
 };

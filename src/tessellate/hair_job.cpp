@@ -228,6 +228,7 @@ struct HairJob::State {
                 vertex_base,
                 static_cast<std::uint32_t>(options.ribbons),
                 flush(options.taper),
+                static_cast<std::uint32_t>(options.variation * 65536.0f),
                 target.x,
                 target.y,
                 target.z};

@@ -36,6 +36,10 @@ void check(const HairOptions& options) {
     if (!(options.taper >= 0.0f && options.taper <= 1.0f)) {
         throw Error(ErrorKind::usage, fmt::format("The taper of hair is {}; it must lie in [0, 1].", options.taper));
     }
+    if (!(options.variation >= 0.0f && options.variation <= 1.0f)) {
+        throw Error(ErrorKind::usage, fmt::format("The variation of the length of hair is {}; it must lie in [0, 1].",
+                                                  options.variation));
+    }
     if (!is_finite(options.eye) || !is_finite(options.direction) || options.direction == glm::vec3(0.0f)) {
         throw Error(ErrorKind::usage, "Ribbons need an eye and a direction of finite numbers, the latter not zero.");
     }

@@ -22,6 +22,9 @@ struct HairOptions {
     /// How `segments` becomes points along a hair; uniform counts as integer. Hairs are always a whole number.
     Partitioning partitioning = Partitioning::integer;
     float taper = 0.9f;  ///< share of the width that is lost at the tip, [0, 1]
+    /// Share of the length that the shortest hair lacks, [0, 1]; every hair has a length of its own, spread evenly. At
+    /// 0 all hairs reach as far as their guides.
+    float variation = 0.0f;
     Ribbons ribbons = Ribbons::flat;
     glm::vec3 eye{0.0f};                    ///< for Ribbons::camera; in the model's units
     glm::vec3 direction{1.0f, 0.0f, 0.0f};  ///< for Ribbons::flat; any length but zero

@@ -119,6 +119,25 @@ TEST_P(Hair, HairsBetweenTwoGuidesLieEvenlyFromTheFirstOn) {
     }
 }
 
+TEST_P(Hair, HairsOfVariedLengthEndBeforeTheirGuides) {
+    const scene::Scene three = scene_of({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 1}}, {{0, 1, 0}, {0, 1, 1}}}, 0.0f);
+    const RefinedMesh mesh = make(three, {.hairs = 200, .segments = 1, .variation = 0.5f});
+    ASSERT_EQ(mesh.vertices.size(), 800u);
+    float shortest = 1.0f, longest = 0.0f, sum = 0.0f;
+    for (std::size_t i = 0; i < mesh.vertices.size(); i += 4) {
+        EXPECT_EQ(position(mesh.vertices[i]).z, 0.0f);
+        EXPECT_EQ(mesh.vertices[i + 2].uv[1], 1.0f);
+        const float length = position(mesh.vertices[i + 2]).z;
+        shortest = std::min(shortest, length);
+        longest = std::max(longest, length);
+        sum += length;
+    }
+    EXPECT_NEAR(shortest, 0.5f, 0.02f);
+    EXPECT_NEAR(longest, 1.0f, 0.02f);
+    EXPECT_LE(longest, 1.0f);
+    EXPECT_NEAR(sum / 200.0f, 0.75f, 0.03f);
+}
+
 TEST_P(Hair, RibbonsFaceTheCameraAndTaper) {
     const scene::Scene upright = scene_of({{{0, 0, 0}, {0, 0.5f, 0}, {0, 1, 0}}}, 0.25f);
     const RefinedMesh mesh =
@@ -249,7 +268,8 @@ TEST(HairParity, EveryDeviceMakesTheSameBits) {
         for (const Ribbons ribbons : {Ribbons::camera, Ribbons::flat}) {
             for (const Partitioning partitioning : {Partitioning::integer, Partitioning::fractional_odd}) {
                 const patches::HairSet hair = patches::make_hair(random_scene(seed++, size));
-                HairOptions options{.hairs = 70, .segments = 11, .partitioning = partitioning, .ribbons = ribbons};
+                HairOptions options{
+                    .hairs = 70, .segments = 11, .partitioning = partitioning, .variation = 0.4f, .ribbons = ribbons};
                 // From outside, and from a root: the eye in the middle of the hair.
                 options.eye = seed % 2 == 0
                                   ? glm::vec3(0.3f, -0.4f, 2.5f) * size
@@ -288,6 +308,7 @@ TEST(HairOptionsOutOfRange, AreRefused) {
     expect_refused({.segments = 65});
     expect_refused({.taper = -0.1f});
     expect_refused({.taper = nan});
+    expect_refused({.variation = 1.1f});
     expect_refused({.eye = {nan, 0, 0}});
     expect_refused({.direction = {0, 0, 0}});
     expect_refused({.memory_budget = 100'000});
