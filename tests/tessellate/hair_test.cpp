@@ -181,14 +181,20 @@ TEST_P(Hair, FlatRibbonsKeepTheirDirection) {
 }
 
 TEST_P(Hair, HairSeenEndOnKeepsItsWidth) {
-    const scene::Scene scene = scene_of({{{0, 0, 0}, {0, 0, 1}}}, 0.2f);
-    for (const Ribbons ribbons : {Ribbons::camera, Ribbons::flat}) {
-        const RefinedMesh mesh =
-            make(scene, {.segments = 3, .taper = 0.0f, .ribbons = ribbons, .eye = {0, 0, 9}, .direction = {0, 0, 1}});
-        for (std::size_t i = 0; i < mesh.vertices.size(); i += 2) {
-            const glm::vec3 across = position(mesh.vertices[i + 1]) - position(mesh.vertices[i]);
-            EXPECT_NEAR(glm::length(across), 0.2f, 1e-6f);
-            EXPECT_NEAR(across.z, 0.0f, 1e-6f);
+    for (const glm::vec3 along :
+         {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(0.6f, 0, 0.8f)}) {
+        const scene::Scene scene = scene_of({{glm::vec3(0), along}}, 0.2f);
+        for (const Ribbons ribbons : {Ribbons::camera, Ribbons::flat}) {
+            const RefinedMesh mesh = make(
+                scene,
+                {.segments = 3, .taper = 0.0f, .ribbons = ribbons, .eye = 9.0f * along + 1e-5f, .direction = along});
+            for (std::size_t i = 0; i < mesh.vertices.size(); i += 2) {
+                const glm::vec3 across = position(mesh.vertices[i + 1]) - position(mesh.vertices[i]);
+                EXPECT_NEAR(glm::length(across), 0.2f, 1e-6f);
+                EXPECT_NEAR(glm::dot(across, along), 0.0f, 1e-6f);
+                EXPECT_NEAR(glm::distance(across, position(mesh.vertices[1]) - position(mesh.vertices[0])), 0.0f, 1e-6f)
+                    << "it does not turn on the way";
+            }
         }
     }
 }
