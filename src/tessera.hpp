@@ -1,7 +1,9 @@
 // The whole library. The pipeline, in the order data flows:
 //   scene::load_scene     a file becomes meshes and materials
 //   patches::make_patches meshes become patches over scaled control vertices
+//   patches::make_hair    guide curves become hair patches between neighbouring guides
 //   tessellate            patches become vertices and indices on any gpu::Device
+//   tessellate_hair       hair patches become ribbons; SceneTessellator makes both
 //   exporting, render     those become a file or a picture
 #pragma once
 
