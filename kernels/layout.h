@@ -58,6 +58,24 @@
 // A pattern that patches share: words before its first u and its first v, so that whole runs may begin and end outside
 // it.
 #define PATTERN_MARGIN 16u
+// Hair. A guide point: position x y z, width, normal x y z (zero: none), and one unused.
+#define GUIDE_POINT_FLOATS 8u
+// A guide segment leads from a guide point to the next: the number of that point, and flags.
+#define SEGMENT_POINT_MASK 0x3fffffffu
+#define SEGMENT_IS_FIRST 0x80000000u  // of its guide: the root
+#define SEGMENT_IS_LAST 0x40000000u   // the tip
+// Its curve, floats: four Bezier points, widths at both ends, normals at both ends.
+#define GUIDE_CURVE_FLOATS 20u
+// A hair patch, words: first segment and number of segments of three guides (0..5); how many of them count, 1 to 3 (6);
+// the number of its first hair (7) among all hairs between these guides (8); where their sequence begins (9).
+#define HAIR_PATCH_WORDS 10u
+// A hair has one line of isoline points; its ribbon two vertices per point and two triangles per segment.
+#define RIBBON_VERTICES 2u
+#define RIBBON_INDICES 6u
+
+// Ribbons: perpendicular to the view from a place, or as near as possible to a direction.
+#define RIBBONS_CAMERA 0u
+#define RIBBONS_FLAT 1u
 
 // Items of one block of the scan.
 #define SCAN_BLOCK 256u
@@ -103,6 +121,26 @@ STRUCT(EmitParams) {
     uint vertex_base;   // added to every index value
     uint net_stride;    // floats
     uint pattern;       // where every patch has the same points: words from the pattern's u to its v, else 0
+};
+
+STRUCT(GuideCurvesParams) {
+    uint count;  // segments
+};
+
+// Like EmitParams, for patches [first, first + count) without a list.
+STRUCT(RibbonParams) {
+    uint first;
+    uint count;
+    uint lanes_log2;
+    uint first_vertex;
+    uint first_index;
+    uint vertex_base;
+    uint ribbons;  // RIBBONS_...
+    float taper;   // share of the width that is lost at the tip
+    uint shorter;  // 16.16, up to 1: share of the length that the shortest hair lacks
+    float x;       // the eye, or the direction
+    float y;
+    float z;
 };
 
 KERNELS_END

@@ -14,7 +14,7 @@ gpu:                base
 kernels/build:      base kernels gpu
 image:              base
 scene:              base image
-patches:            base scene
+patches:            base kernels scene
 tessellate:         base kernels gpu patches
 export:             base scene tessellate
 render:             base image scene tessellate

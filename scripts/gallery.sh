@@ -27,6 +27,12 @@ panel wires $rabbit --scheme pn --factor 3 --shading wireframe
 panel smooth $rabbit --scheme pn --factor 12
 beside rabbit.png "$panels/coarse.png" "$panels/wires.png" "$panels/smooth.png"
 
+fur="assets/furball.glb --camera 18,6 --size 460x500"
+panel guides $fur --factor 8 --hairs 1 --hair-width 0.02
+panel ribbons $fur --factor 2 --hairs 1 --hair-segments 5 --hair-width 0.07 --shading wireframe
+panel fur $fur --factor 8 --hairs 40 --hair-variation 0.5
+beside hair.png "$panels/guides.png" "$panels/ribbons.png" "$panels/fur.png"
+
 pair() { # OUTPUT MODEL CAMERA
     panel before "$2" --camera "$3" --size 460x460 --scheme linear --factor 1
     panel after "$2" --camera "$3" --size 460x460 --scheme pn --factor 8

@@ -10,8 +10,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from assets import figure, rabbit, turned  # noqa: E402
-from assets.glb import write_glb  # noqa: E402
+from assets import figure, furball, rabbit, turned  # noqa: E402
+from assets.glb import Model, write_glb  # noqa: E402
 from assets.surface import coarse_mesh  # noqa: E402
 
 STEP = 0.04  # of the grid that first finds the surface
@@ -45,10 +45,22 @@ def make_ball(path):
     return faces
 
 
+def make_furball(path):
+    model = Model("furball")
+    for name, vertices, faces, colour in furball.parts():
+        model.triangles([p for p, _ in vertices], [n for _, n in vertices], faces, model.material(name, colour))
+    positions, normals = furball.guides()
+    hair = model.material("hair", image=furball.hair_texture(), doubleSided=True)
+    model.line_strips(positions, normals, [furball.WIDTH] * len(positions), furball.POINTS, hair)
+    model.write(path)
+    return [f for _, _, faces, _ in furball.parts() for f in faces]
+
+
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent / "assets"
     folder.mkdir(parents=True, exist_ok=True)
-    for name, make in (("rabbit", make_rabbit), ("figure", make_figure), ("pawn", make_pawn), ("ball", make_ball)):
+    for name, make in (("rabbit", make_rabbit), ("figure", make_figure), ("pawn", make_pawn), ("ball", make_ball),
+                       ("furball", make_furball)):
         path = folder / f"{name}.glb"
         print(f"{path}: {len(make(path))} triangles")
 

@@ -1,7 +1,9 @@
 // The whole library. The pipeline, in the order data flows:
 //   scene::load_scene     a file becomes meshes and materials
 //   patches::make_patches meshes become patches over scaled control vertices
+//   patches::make_hair    guide curves become hair patches between neighbouring guides
 //   tessellate            patches become vertices and indices on any gpu::Device
+//   tessellate_hair       hair patches become ribbons; SceneTessellator makes both
 //   exporting, render     those become a file or a picture
 #pragma once
 
@@ -9,10 +11,12 @@
 #include "base/error.hpp"
 #include "export/mesh_writer.hpp"
 #include "image/image.hpp"
+#include "patches/hair.hpp"
 #include "patches/patches.hpp"
 #include "render/mesh_sinks.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/edge_factors.hpp"
 #include "tessellate/pattern.hpp"
+#include "tessellate/scene_tessellator.hpp"
 #include "tessellate/tessellate.hpp"
 #include "verify/compare_jobs.hpp"

@@ -63,9 +63,81 @@ def write_glb(path, name, vertices, faces, image=None, colour=(1.0, 1.0, 1.0, 1.
         document["textures"] = [{"source": 0}]
         document["images"] = [{"name": name, "mimeType": "image/png", "bufferView": view(image)}]
     document["buffers"] = [{"byteLength": len(data)}]
+    write_container(path, document, data)
+
+
+def write_container(path, document, data):
+    """A .glb of a JSON document and its buffer."""
     text = json.dumps(document, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     with open(path, "wb") as file:
         file.write(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(data)))
         file.write(struct.pack("<II", len(text), 0x4E4F534A) + text)
         file.write(struct.pack("<II", len(data), 0x004E4942) + data)
+
+
+class Model:
+    """A model of several primitives in one mesh, some of them line strips: add parts, then write."""
+
+    def __init__(self, name):
+        self.name = name
+        self.data = b""
+        self.views, self.accessors, self.materials, self.images, self.primitives = [], [], [], [], []
+
+    def view(self, data, **properties):
+        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data), **properties})
+        self.data += data + b"\0" * (-len(data) % 4)
+        return len(self.views) - 1
+
+    def accessor(self, view, component, count, kind, **properties):
+        self.accessors.append({"bufferView": view, "componentType": component, "count": count, "type": kind,
+                               **properties})
+        return len(self.accessors) - 1
+
+    def vectors(self, values, bounds=False):
+        flat = [single(v) for v in values]
+        view = self.view(b"".join(struct.pack("<3f", *v) for v in flat), target=34962)
+        limits = {"min": [min(v[i] for v in flat) for i in range(3)],
+                  "max": [max(v[i] for v in flat) for i in range(3)]} if bounds else {}
+        return self.accessor(view, 5126, len(flat), "VEC3", **limits)
+
+    def material(self, name, colour=(1.0, 1.0, 1.0, 1.0), image=None, **properties):
+        surface = {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.7}
+        if image is not None:
+            self.images.append({"name": name, "mimeType": "image/png", "bufferView": self.view(image)})
+            surface["baseColorTexture"] = {"index": len(self.images) - 1}
+        self.materials.append({"name": name, "pbrMetallicRoughness": surface, **properties})
+        return len(self.materials) - 1
+
+    def triangles(self, positions, normals, faces, material):
+        indices = self.view(b"".join(struct.pack("<3H", *f) for f in faces), target=34963)
+        self.primitives.append({
+            "attributes": {"POSITION": self.vectors(positions, True), "NORMAL": self.vectors(normals)},
+            "indices": self.accessor(indices, 5123, 3 * len(faces), "SCALAR"), "material": material})
+
+    def line_strips(self, positions, normals, widths, points, material):
+        """A strip for every `points` vertices; all share the vertices."""
+        attributes = {"POSITION": self.vectors(positions, True), "NORMAL": self.vectors(normals)}
+        width_view = self.view(struct.pack("<%df" % len(widths), *widths), target=34962)
+        attributes["_WIDTH"] = self.accessor(width_view, 5126, len(widths), "SCALAR")
+        indices = self.view(struct.pack("<%dH" % len(positions), *range(len(positions))), target=34963)
+        for first in range(0, len(positions), points):
+            self.primitives.append({"attributes": attributes, "mode": 3, "material": material,
+                                    "indices": self.accessor(indices, 5123, points, "SCALAR", byteOffset=2 * first)})
+
+    def write(self, path):
+        document = {
+            "asset": {"version": "2.0", "generator": "Tessera make_assets.py",
+                      "copyright": "the Tessera authors, MIT"},
+            "scene": 0,
+            "scenes": [{"nodes": [0]}],
+            "nodes": [{"name": self.name, "mesh": 0}],
+            "meshes": [{"name": self.name, "primitives": self.primitives}],
+            "materials": self.materials,
+            "accessors": self.accessors,
+            "bufferViews": self.views,
+            "textures": [{"source": i} for i in range(len(self.images))],
+            "images": self.images,
+            "buffers": [{"byteLength": len(self.data)}],
+        }
+        write_container(path, document, self.data)

@@ -2,11 +2,12 @@
 #include "backends/registry.hpp"
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/hair_words.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/progress.hpp"
 #include "render/mesh_sinks.hpp"
-#include "tessellate/tessellate.hpp"
+#include "tessellate/scene_tessellator.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -21,6 +22,7 @@ struct Words {
     std::string input, output, device = "reference";
     JobWords job;
     LoadWords load;
+    HairWords hair;
     std::string size = "1024x1024";
     std::vector<double> camera;
     std::string shading = "phong";
@@ -80,25 +82,31 @@ int run(const Context& context, const Words& words) {
     std::stable_partition(scene.meshes.begin(), scene.meshes.end(), [&](const scene::Mesh& mesh) {
         return scene.materials[mesh.material].alpha_mode != scene::AlphaMode::blend;
     });
-    const patches::PatchSet patches = patches::make_patches(scene);
+    const patches::PatchSet patches = surface_patches(scene);
+    const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
     const TessellationOptions options = resolve(words.job, patches);
+    const HairOptions hair_options = resolve_hair(words.hair, Ribbons::camera, words.job.memory_budget);
     gpu::Device device = backends::open_device(words.device);
     const auto rasteriser = backends::open_rasteriser(device.info().rasteriser ? device.info().id : "");
 
-    Tessellator tessellator(device, patches, options);
+    SceneTessellator tessellator(device, patches, options, hair, hair_options);
     Progress progress("rendering", context.quiet);
     // The surface swells out of its coarse mesh, so the frame is fitted to the output itself: one run to fit, one to
     // draw. Memory stays within the budget either way.
     render::FramingSink framing(view, static_cast<float>(frame.width) / static_cast<float>(frame.height));
     tessellator.run(framing, Space::kernel, [&](double f) { progress.update(0.3 * f); });
     frame.camera = framing.camera();
+    if (hair_options.ribbons == Ribbons::camera && words.hair.eye.empty()) {
+        tessellator.face(frame.camera.eye);
+    }
     rasteriser->begin(frame);
     rasteriser->set_materials(scene.materials, scene.images);
     render::DrawSink draw(*rasteriser, tessellator.totals().parts);
     tessellator.run(draw, Space::kernel, [&](double f) { progress.update(0.3 + 0.7 * f); });
     image::write_png(rasteriser->finish(), words.output);
-    say(context, fmt::format("{}: {} patches -> {} triangles on {} ({})", words.output, patches.patch_count(),
-                             tessellator.totals().index_count / 3, device.info().id, device.info().name));
+    say(context, fmt::format("{}: {} patches -> {} triangles on {} ({})", words.output,
+                             patches.patch_count() + hair.patches.size(), tessellator.totals().index_count / 3,
+                             device.info().id, device.info().name));
     return exit_fine;
 }
 
@@ -127,6 +135,7 @@ void add_render_command(CLI::App& app, Context& context) {
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
+    add_hair_options(*command, words->hair, "camera");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }
 

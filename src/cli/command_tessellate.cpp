@@ -1,11 +1,13 @@
 // tessera tessellate: a model in, a refined mesh out.
 #include "backends/registry.hpp"
+#include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/hair_words.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/progress.hpp"
 #include "export/mesh_writer.hpp"
-#include "tessellate/tessellate.hpp"
+#include "tessellate/scene_tessellator.hpp"
 
 #include <fmt/format.h>
 #include <chrono>
@@ -19,16 +21,17 @@ struct Words {
     std::string input, output, device = "reference";
     JobWords job;
     LoadWords load;
+    HairWords hair;
     bool json = false;
 };
 
 void report(const Context& context, const Words& words, const gpu::DeviceInfo& device, const patches::PatchSet& patches,
-            Tessellator& tessellator, double seconds) {
+            const patches::HairSet& hair, SceneTessellator& tessellator, double seconds) {
     const MeshTotals& totals = tessellator.totals();
-    const StageTimes& times = tessellator.times();
-    say(context,
-        fmt::format("{}: {} patches -> {} vertices, {} triangles on {} ({})", words.output, patches.patch_count(),
-                    totals.vertex_count, totals.index_count / 3, device.id, device.name));
+    const StageTimes times = tessellator.times();
+    say(context, fmt::format("{}: {} patches -> {} vertices, {} triangles on {} ({})", words.output,
+                             patches.patch_count() + hair.patches.size(), totals.vertex_count, totals.index_count / 3,
+                             device.id, device.name));
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<StageId>(i);
@@ -49,6 +52,8 @@ void report(const Context& context, const Words& words, const gpu::DeviceInfo& d
                                               {"factor", words.job.factor},
                                               {"control_vertices", patches.control_vertices.size()},
                                               {"patches", patches.patch_count()},
+                                              {"guides", hair.guides.size()},
+                                              {"hair_patches", hair.patches.size()},
                                               {"vertices", totals.vertex_count},
                                               {"triangles", totals.index_count / 3},
                                               {"device_bytes", tessellator.device_bytes()},
@@ -62,17 +67,24 @@ int run(const Context& context, const Words& words) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = load(context, words.input, words.load);
-    const patches::PatchSet patches = patches::make_patches(scene);
+    const patches::PatchSet patches = surface_patches(scene);
+    const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
     const TessellationOptions options = resolve(words.job, patches);
+    const HairOptions hair_options = resolve_hair(words.hair, Ribbons::flat, words.job.memory_budget);
+    if (hair_options.ribbons == Ribbons::camera && words.hair.eye.empty()) {
+        throw Error(ErrorKind::usage,
+                    "Ribbons of a file cannot face a camera that is not known; say where it is: --eye "
+                    "X,Y,Z, in the model's units.");
+    }
     gpu::Device device = backends::open_device(words.device);
-    Tessellator tessellator(device, patches, options);
+    SceneTessellator tessellator(device, patches, options, hair, hair_options);
     const auto writer = exporting::create_mesh_writer(words.output, tessellator.totals(), scene);
     {
         Progress progress("tessellating", context.quiet);
         tessellator.run(*writer, Space::model, progress.callback());
     }
     writer->finish();
-    report(context, words, device.info(), patches, tessellator,
+    report(context, words, device.info(), patches, hair, tessellator,
            std::chrono::duration<double>(Clock::now() - start).count());
     return exit_fine;
 }
@@ -91,6 +103,7 @@ void add_tessellate_command(CLI::App& app, Context& context) {
     command->add_flag("--json", words->json, "Print counts and times as JSON on stdout");
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
+    add_hair_options(*command, words->hair, "flat");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/command_verify_oracle.hpp"
+#include "cli/hair_words.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/progress.hpp"
@@ -23,6 +24,7 @@ struct Words {
     std::vector<std::string> inputs, devices, required;
     JobWords job;
     LoadWords load;
+    HairWords hair;
     bool all = false;
     bool json = false;
     bool markdown = false;
@@ -99,14 +101,9 @@ void print(const std::string& title, const std::vector<DeviceComparison>& result
     }
 }
 
-Json to_json(const std::string& input, const TessellationOptions& options, const std::string& factor,
-             const std::vector<DeviceComparison>& results) {
-    Json document{{"input", input},
-                  {"scheme", name(options.scheme)},
-                  {"normals", name(options.normals)},
-                  {"partitioning", name(options.partitioning)},
-                  {"factor", factor},
-                  {"devices", Json::array()}};
+// `document` tells what was compared.
+Json with_results(Json document, const std::vector<DeviceComparison>& results) {
+    document["devices"] = Json::array();
     for (const DeviceComparison& result : results) {
         Json stages = Json::object();
         for (std::size_t s = 0; s < stage_count; ++s) {
@@ -120,6 +117,22 @@ Json to_json(const std::string& input, const TessellationOptions& options, const
         document["devices"].push_back({{"id", result.device.id}, {"name", result.device.name}, {"stages", stages}});
     }
     return document;
+}
+
+Json to_json(const std::string& input, const TessellationOptions& options, const std::string& factor) {
+    return {{"input", input},
+            {"scheme", name(options.scheme)},
+            {"normals", name(options.normals)},
+            {"partitioning", name(options.partitioning)},
+            {"factor", factor}};
+}
+
+Json to_json(const std::string& input, const HairOptions& options) {
+    return {{"input", input},
+            {"ribbons", name(options.ribbons)},
+            {"hairs", options.hairs},
+            {"segments", options.segments},
+            {"partitioning", name(options.partitioning)}};
 }
 
 // Adds the counts of one job's comparison to the sums of all jobs.
@@ -175,6 +188,58 @@ std::vector<JobWords> variants(const Words& words) {
     return list;
 }
 
+// Likewise for hair: both kinds of ribbons unless one is asked for, and with --all every partitioning along a hair.
+// Without
+// --eye the camera stands in front of the model's right upper corner.
+std::vector<HairOptions> hair_variants(const Words& words, const patches::HairSet& hair) {
+    HairOptions options = resolve_hair(words.hair, Ribbons::flat, words.job.memory_budget);
+    if (words.hair.eye.empty()) {
+        options.eye = {patches::to_model_space(1.5f, hair.exponent), patches::to_model_space(1.0f, hair.exponent),
+                       patches::to_model_space(4.0f, hair.exponent)};
+    }
+    std::vector<HairOptions> list;
+    for (const Ribbons ribbons : {Ribbons::camera, Ribbons::flat}) {
+        if (!words.hair.ribbons.empty() && ribbons != options.ribbons) continue;
+        for (const Partitioning partitioning :
+             {Partitioning::integer, Partitioning::pow2, Partitioning::fractional_odd, Partitioning::fractional_even}) {
+            if (partitioning != Partitioning::integer && !words.all) continue;
+            list.push_back(options);
+            list.back().ribbons = ribbons;
+            list.back().partitioning = partitioning;
+        }
+    }
+    return list;
+}
+
+// What all comparisons together say.
+struct Report {
+    const Words& words;
+    Json documents = Json::array();
+    std::vector<DeviceComparison> sums;
+    std::size_t jobs = 0, different = 0;
+
+    void add_job(const std::string& title, Json document, const std::vector<DeviceComparison>& results) {
+        ++jobs;
+        different += std::ranges::all_of(results, &DeviceComparison::equal) ? 0 : 1;
+        add(sums, results);
+        if (words.json) {
+            documents.push_back(with_results(std::move(document), results));
+        } else if (!words.markdown) {
+            print(title, results);
+        }
+    }
+
+    void finish(std::size_t devices) const {
+        if (words.json) {
+            fmt::print("{}\n", documents.dump(2));
+        } else if (words.markdown) {
+            print_markdown(sums, jobs);
+        } else {
+            fmt::print("{} jobs on {} devices, {} with differences\n", jobs, devices, different);
+        }
+    }
+};
+
 int run(const Context& context, const Words& words) {
     if (!words.oracle.empty()) {
         const std::vector<std::string> devices =
@@ -182,37 +247,32 @@ int run(const Context& context, const Words& words) {
         return verify_with_oracle(context, {words.inputs, devices, words.load, variants(words), words.all, words.json});
     }
     const std::vector<gpu::Device> devices = open_devices(context, words);
-    Json documents = Json::array();
-    std::vector<DeviceComparison> sums;
-    std::size_t jobs = 0;
-    std::size_t different = 0;
+    Report report{words, Json::array(), {}};
     for (const std::string& input : words.inputs) {
         const scene::Scene scene = load(context, input, words.load);
-        const patches::PatchSet patches = patches::make_patches(scene);
+        const patches::PatchSet patches = surface_patches(scene);
         for (const JobWords& job : variants(words)) {
+            if (patches.patch_count() == 0) break;
             const TessellationOptions options = resolve(job, patches);
             Progress progress("comparing", context.quiet);
             const auto results = verify::compare_jobs(devices, patches, options, progress.callback());
-            ++jobs;
-            different += std::ranges::all_of(results, &DeviceComparison::equal) ? 0 : 1;
-            add(sums, results);
-            if (words.json) {
-                documents.push_back(to_json(input, options, job.factor, results));
-            } else if (!words.markdown) {
-                print(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(),
-                                  job.scheme, job.normals, job.partitioning, job.factor),
-                      results);
-            }
+            report.add_job(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(),
+                                       job.scheme, job.normals, job.partitioning, job.factor),
+                           to_json(input, options, job.factor), results);
+        }
+        const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
+        if (hair.empty()) continue;
+        for (const HairOptions& options : hair_variants(words, hair)) {
+            Progress progress("comparing hair", context.quiet);
+            const auto results = verify::compare_hair_jobs(devices, hair, options, progress.callback());
+            report.add_job(fmt::format("{}: {} guides, {} patches of {} hairs, {} segments, {}, {} ribbons", input,
+                                       hair.guides.size(), hair.patches.size(), options.hairs, options.segments,
+                                       name(options.partitioning), name(options.ribbons)),
+                           to_json(input, options), results);
         }
     }
-    if (words.json) {
-        fmt::print("{}\n", documents.dump(2));
-    } else if (words.markdown) {
-        print_markdown(sums, jobs);
-    } else {
-        fmt::print("{} jobs on {} devices, {} with differences\n", jobs, devices.size(), different);
-    }
-    return different == 0 ? exit_fine : exit_difference;
+    report.finish(devices.size());
+    return report.different == 0 ? exit_fine : exit_difference;
 }
 
 }  // namespace
@@ -242,6 +302,7 @@ void add_verify_command(CLI::App& app, Context& context) {
         ->excludes(required, markdown);
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
+    add_hair_options(*command, words->hair, "both, one after the other");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }
 

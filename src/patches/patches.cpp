@@ -15,14 +15,12 @@ float flush(float x) {
     return std::fabs(x) < tiny ? 0.0f : x;
 }
 
-int largest_exponent(const scene::Scene& scene) {
+float largest_coordinate(const std::vector<glm::vec3>& points) {
     float largest = 0.0f;
-    for (const scene::Mesh& mesh : scene.meshes) {
-        for (const glm::vec3& p : mesh.positions) {
-            largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-        }
+    for (const glm::vec3& p : points) {
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     }
-    return largest > 0.0f ? std::ilogb(largest) : 0;
+    return largest;
 }
 
 Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
@@ -34,6 +32,15 @@ Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
 }
 
 }  // namespace
+
+int scene_exponent(const scene::Scene& scene) {
+    float largest = 0.0f;
+    for (const scene::Mesh& mesh : scene.meshes)
+        largest = std::max(largest, largest_coordinate(mesh.positions));
+    for (const scene::Guides& guides : scene.guides)
+        largest = std::max(largest, largest_coordinate(guides.points));
+    return largest > 0.0f ? std::ilogb(largest) : 0;
+}
 
 PatchSet make_patches(const scene::Scene& scene) {
     std::uint64_t vertex_count = 0;
@@ -52,7 +59,7 @@ PatchSet make_patches(const scene::Scene& scene) {
                                                   scene.source, vertex_count));
     }
     PatchSet set;
-    set.exponent = largest_exponent(scene);
+    set.exponent = scene_exponent(scene);
     set.control_vertices.reserve(vertex_count);
     set.corners.reserve(patch_count);
     for (const scene::Mesh& mesh : scene.meshes) {

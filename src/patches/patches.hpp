@@ -43,6 +43,10 @@ struct PatchSet {
     std::uint64_t patch_count() const { return corners.size(); }
 };
 
+/// The exponent of a scene's largest coordinate, guides of hair included: see PatchSet::exponent. 0 for a scene
+/// without.
+int scene_exponent(const scene::Scene& scene);
+
 /// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60
 /// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel.
 /// Throws Error(usage) where there is nothing to tessellate or more than 2^32 - 1 control vertices.

@@ -1,6 +1,7 @@
 #include "scene/gltf_primitive.hpp"
 
 #include "scene/gltf_accessor.hpp"
+#include "scene/gltf_guides.hpp"
 #include "scene/gltf_materials.hpp"
 
 #include <fmt/format.h>
@@ -118,6 +119,10 @@ std::size_t drop_collapsed(std::vector<std::uint32_t>& triangles) {
 void read_triangles(const Document& document, SourcePrimitive& out) {
     const int mode = out.primitive->mode;
     const auto indices = read_indices(document, out);
+    if (mode == TINYGLTF_MODE_LINE || mode == TINYGLTF_MODE_LINE_STRIP) {
+        read_guides(document, indices, out);
+        return;
+    }
     if (mode < TINYGLTF_MODE_TRIANGLES) {
         document.diagnostics.note(fmt::format("{} is made of {}, which are skipped.", out.element,
                                               mode == TINYGLTF_MODE_POINTS ? "points" : "lines"));
@@ -180,7 +185,7 @@ SourcePrimitive read_primitive(const Document& document, std::size_t mesh, std::
         out.quantized_normals =
             document.model.accessors[static_cast<std::size_t>(normal)].componentType != TINYGLTF_COMPONENT_TYPE_FLOAT;
     }
-    read_uvs(document, out);
+    if (out.guide_ends.empty()) read_uvs(document, out);  // hair has its own: across and along
     read_influences(document, out);
     if (attribute(*out.primitive, "COLOR_0") >= 0) {
         document.diagnostics.note(fmt::format("{}: its vertex colours are ignored.", out.element));

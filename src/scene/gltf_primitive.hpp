@@ -19,13 +19,17 @@ struct SourcePrimitive {
     bool quantized_normals = false;        ///< integers in the file: not of unit length by nature
     std::vector<glm::vec2> uvs;            ///< one per position, as the material's texture wants them
     std::vector<std::uint32_t> triangles;  ///< all < positions.size(), no index twice in a triangle
-    std::size_t influences = 0;            ///< joints per vertex
-    std::vector<std::uint32_t> joints;     ///< `influences` per position
+    std::vector<std::uint32_t>
+        guide_points;                       ///< of lines: the curves' points one after another, all < positions.size()
+    std::vector<std::uint32_t> guide_ends;  ///< where each curve ends in `guide_points`
+    std::size_t influences = 0;             ///< joints per vertex
+    std::vector<std::uint32_t> joints;      ///< `influences` per position
     std::vector<float> weights;
 };
 
-/// Reads primitive `index` of mesh `mesh`. Points, lines and primitives without positions come back without
-/// triangles, and a message says so. Throws Error(usage) for indices past the vertices.
+/// Reads primitive `index` of mesh `mesh`. Lines and line strips come back as guides. Points, line loops and primitives
+/// without positions come back without triangles, and a message says so. Throws Error(usage) for indices past the
+/// vertices.
 SourcePrimitive read_primitive(const Document& document, std::size_t mesh, std::size_t index);
 
 /// The triangles of a list, strip or fan (`mode` 4, 5, 6; glTF 2.0, section 3.7.2.1), all turning the same way.

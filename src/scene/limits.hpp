@@ -18,6 +18,7 @@ inline constexpr std::uint64_t max_mtl_bytes = 16u << 20;      ///< text of one 
 inline constexpr std::uint64_t max_corners = 1u << 26;         ///< of all OBJ faces together
 inline constexpr std::uint64_t max_face_corners = 4096;        ///< of one OBJ face; ear clipping is quadratic in it
 inline constexpr std::uint64_t max_zero_elements = 1u << 24;   ///< of an accessor that has no data of its own
+inline constexpr std::uint64_t max_guide_points = 4096;        ///< of one guide curve of hair
 inline constexpr std::uint64_t max_image_bytes = 0x80000000;   ///< decoded pixels of a scene
 
 }  // namespace tessera::scene

@@ -4,6 +4,7 @@
 #include "scene/gltf_bake.hpp"
 #include "scene/gltf_container.hpp"
 #include "scene/gltf_document.hpp"
+#include "scene/gltf_guides.hpp"
 #include "scene/gltf_materials.hpp"
 #include "scene/gltf_ngons.hpp"
 #include "scene/gltf_skin.hpp"
@@ -13,6 +14,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <map>
 
 namespace tessera::scene {
 namespace {
@@ -107,9 +109,9 @@ private:
 
     void spend(int index) {
         for (const SourcePrimitive& source : source_mesh(index)) {
-            if (source.triangles.empty() || !is_shown(index, source)) continue;
+            if ((source.triangles.empty() && source.guide_ends.empty()) || !is_shown(index, source)) continue;
             const std::string element = fmt::format("nodes[{}]", index);
-            vertices_.spend(source.positions.size(), element, document_.diagnostics);
+            vertices_.spend(source.positions.size() + source.guide_points.size(), element, document_.diagnostics);
             triangles_.spend(source.triangles.size() / 3, element, document_.diagnostics);
         }
     }
@@ -124,8 +126,9 @@ private:
         pose.morph_weights = morph_weights(node, document_.model.meshes[mesh]);
 
         const std::size_t first = scene_.meshes.size();
+        const std::size_t first_guides = scene_.guides.size();
         for (const SourcePrimitive& source : source_mesh(index)) {
-            if (source.triangles.empty()) continue;
+            if (source.triangles.empty() && source.guide_ends.empty()) continue;
             if (!is_shown(index, source)) {
                 document_.diagnostics.note(element + ": its transform leaves no surface; its mesh is left out.");
                 continue;
@@ -133,6 +136,11 @@ private:
             if (node.skin >= 0 && !is_skinned(node, source)) {
                 document_.diagnostics.note(fmt::format("{} has a skin, but {} has no JOINTS_0: it moves with its node.",
                                                        element, source.element));
+            }
+            if (!source.guide_ends.empty()) {
+                Guides& guides = guides_of(first_guides, name_of(node, mesh), material_of(source));
+                bake_guides(document_, source, pose, guides);
+                continue;
             }
             Mesh baked = bake(document_, source, pose);
             if (baked.triangles.empty()) {
@@ -145,19 +153,44 @@ private:
             scene_.meshes.push_back(std::move(baked));
         }
         complete_normals(std::span(scene_.meshes).subspan(first));
+        std::erase_if(scene_.guides, [](const Guides& guides) { return guides.ends.empty(); });
+    }
+
+    /// The guides with this material among those of a node, which begin at `first`.
+    Guides& guides_of(std::size_t first, const std::string& name, std::uint32_t material) {
+        material = double_sided(material);
+        for (std::size_t i = first; i < scene_.guides.size(); ++i) {
+            if (scene_.guides[i].material == material) return scene_.guides[i];
+        }
+        scene_.guides.push_back({name + "/hair", {}, {}, {}, {}, material});
+        return scene_.guides.back();
+    }
+
+    /// Ribbons are seen from both sides: the material itself, or a copy of it that is.
+    std::uint32_t double_sided(std::uint32_t material) {
+        if (scene_.materials[material].double_sided) return material;
+        const auto [copy, added] = double_sided_.emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
+        if (added) {
+            scene_.materials.push_back(scene_.materials[material]);
+            scene_.materials.back().double_sided = true;
+        }
+        return copy->second;
     }
 
     /// A primitive without a material takes the default one, which load_materials puts last.
     std::uint32_t material_of(const SourcePrimitive& source) const {
         const int material = source.primitive->material;
-        return material >= 0 ? static_cast<std::uint32_t>(material)
-                             : static_cast<std::uint32_t>(scene_.materials.size() - 1);
+        return material >= 0 ? static_cast<std::uint32_t>(material) : default_material_;
+    }
+
+    std::string name_of(const tinygltf::Node& node, std::size_t mesh) const {
+        const std::string& mesh_name = document_.model.meshes[mesh].name;
+        const std::string& name = !node.name.empty() ? node.name : mesh_name;
+        return name.empty() ? fmt::format("meshes[{}]", mesh) : name;
     }
 
     std::string name_of(const tinygltf::Node& node, std::size_t mesh, const SourcePrimitive& source) const {
-        const std::string& mesh_name = document_.model.meshes[mesh].name;
-        std::string name = !node.name.empty() ? node.name : mesh_name;
-        if (name.empty()) name = fmt::format("meshes[{}]", mesh);
+        std::string name = name_of(node, mesh);
         if (sources_[mesh].size() > 1) name += fmt::format("/{}", &source - sources_[mesh].data());
         return name;
     }
@@ -166,6 +199,8 @@ private:
     const NodeGraph& graph_;
     Scene& scene_;
     std::vector<SourceMesh> sources_;
+    const std::uint32_t default_material_ = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    std::map<std::uint32_t, std::uint32_t> double_sided_;  // copies made
     Budget vertices_{"vertices", max_vertices};
     Budget triangles_{"triangles", max_triangles};
     bool unsound_ = false;
@@ -192,10 +227,10 @@ Scene load_gltf(const std::filesystem::path& path) {
     load_materials(document, scene);
     Assembly assembly(document, graph, scene);
     assembly.add_nodes();
-    if (scene.meshes.empty() && assembly.lost_a_primitive()) {
+    if (scene.meshes.empty() && scene.guides.empty() && assembly.lost_a_primitive()) {
         diagnostics.refuse("the file", "has no triangle whose positions are all finite");
     }
-    if (scene.meshes.empty()) diagnostics.note("The file holds no triangles to draw.");
+    if (scene.meshes.empty() && scene.guides.empty()) diagnostics.note("The file holds no triangles to draw.");
     scene.messages = diagnostics.take_messages();
     return scene;
 }

@@ -68,9 +68,24 @@ struct Mesh {
     SubdivisionTags tags;
 };
 
+/// The width of a guide's point where the file gives none.
+inline constexpr float no_width = -1.0f;
+
+/// Guide curves of hair: the line strips of one node that share a material. Each curve runs from its root to its tip;
+/// it has at least two points, no two neighbouring ones equal, and all numbers are finite.
+struct Guides {
+    std::string name;
+    std::vector<glm::vec3> points;    ///< world space, curve after curve, roots first
+    std::vector<glm::vec3> normals;   ///< unit, one per point; zero where the file has none
+    std::vector<float> widths;        ///< full width of hair in world space, one per point; no_width without _WIDTH
+    std::vector<std::uint32_t> ends;  ///< where each curve ends in `points`; the next one begins there
+    std::uint32_t material = 0;       ///< index into Scene::materials; double-sided
+};
+
 struct Scene {
     std::string source;               ///< file or shape name, for messages
     std::vector<Mesh> meshes;         ///< in node order
+    std::vector<Guides> guides;       ///< likewise
     std::vector<Material> materials;  ///< at least one
     std::vector<SceneImage> images;
     std::vector<std::string> messages;  ///< what was skipped or repaired, a sentence each
@@ -100,13 +115,15 @@ struct LoadOptions {
 ///
 /// glTF: nodes are baked into world space in double precision; skins and morph targets are taken in the file's rest
 /// pose. Triangles that FB_ngon_encoding marks as two halves of a quad become a quad. Normals that the file gives are
-/// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position.
+/// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position. Line
+/// strips, and lines whose segments follow one another, are guide curves of hair; their full width is the attribute
+/// _WIDTH (a float each, in the mesh's units), and their normals, where given, shade the hair.
 ///
 /// OBJ: see load_obj.hpp for the rules.
 ///
-/// Points, lines, animations and whatever else is not drawn are named in `messages`. A file that is sound but holds no
-/// faces gives a scene without meshes: whether that is an error is up to the caller. The limits on sizes are those of
-/// limits.hpp.
+/// Points, line loops, animations and whatever else is not drawn are named in `messages`. A file that is sound but
+/// holds neither faces nor guides gives an empty scene: whether that is an error is up to the caller. The limits on
+/// sizes are those of limits.hpp.
 ///
 /// Throws Error(usage) with file, element and reason for anything unsound or not supported.
 Scene load_scene(const std::string& name, const LoadOptions& options = {});

@@ -53,13 +53,15 @@ gpu::Limits common_limits(const std::vector<gpu::Device>& devices) {
     return limits;
 }
 
+template <typename AnyJob>
 struct Runner {
     gpu::Device device;
-    std::unique_ptr<Job> job;
+    std::unique_ptr<AnyJob> job;
 };
 
-void compare_views(std::vector<Runner>& runners, std::vector<DeviceComparison>& results,
-                   std::vector<StageView> (Job::*views)() const) {
+template <typename AnyJob>
+void compare_views(std::vector<Runner<AnyJob>>& runners, std::vector<DeviceComparison>& results,
+                   std::vector<StageView> (AnyJob::*views)() const) {
     const std::vector<StageView> expected_views = (runners.front().job.get()->*views)();
     for (std::size_t v = 0; v < expected_views.size(); ++v) {
         const Words expected = read(runners.front().device, expected_views[v]);
@@ -71,6 +73,47 @@ void compare_views(std::vector<Runner>& runners, std::vector<DeviceComparison>& 
     }
 }
 
+template <typename AnyJob, typename Input, typename Options>
+std::vector<DeviceComparison> compare_any_jobs(const std::vector<gpu::Device>& devices, const Input& input,
+                                               const Options& options, const std::function<void(double)>& progress) {
+    assert(!devices.empty());
+    const gpu::Limits limits = common_limits(devices);
+    std::vector<Runner<AnyJob>> runners;
+    std::vector<DeviceComparison> results;
+    for (const gpu::Device& device : devices) {
+        results.push_back({device.info(), {}});
+        runners.push_back({device, std::make_unique<AnyJob>(device, input, options, limits)});
+        runners.back().job->poison_outputs(0xa5a5a5a5u + static_cast<std::uint32_t>(runners.size()));
+    }
+    const std::size_t chunks = runners.front().job->chunk_count();
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        const std::vector<Batch>* batches = nullptr;
+        for (Runner<AnyJob>& runner : runners) {
+            runner.job->count(chunk);
+            const std::vector<Batch>& own = runner.job->prepare();
+            batches = batches == nullptr ? &own : batches;
+        }
+        compare_views(runners, results, &AnyJob::prepared_views);
+        if (!std::ranges::all_of(results, [](const DeviceComparison& result) {
+                return result.stages[static_cast<std::size_t>(StageId::scan)].differing == 0;
+            })) {
+            return results;  // other offsets make other batches
+        }
+        for (std::size_t b = 0; b < batches->size(); ++b) {
+            for (Runner<AnyJob>& runner : runners) {
+                runner.job->emit((*batches)[b], 0);
+            }
+            compare_views(runners, results, &AnyJob::emitted_views);
+            if (progress) {
+                progress(
+                    (static_cast<double>(chunk) + static_cast<double>(b + 1) / static_cast<double>(batches->size())) /
+                    static_cast<double>(chunks));
+            }
+        }
+    }
+    return results;
+}
+
 }  // namespace
 
 bool DeviceComparison::equal() const {
@@ -80,42 +123,13 @@ bool DeviceComparison::equal() const {
 std::vector<DeviceComparison> compare_jobs(const std::vector<gpu::Device>& devices, const patches::PatchSet& patches,
                                            const TessellationOptions& options,
                                            const std::function<void(double)>& progress) {
-    assert(!devices.empty());
-    const gpu::Limits limits = common_limits(devices);
-    std::vector<Runner> runners;
-    std::vector<DeviceComparison> results;
-    for (const gpu::Device& device : devices) {
-        results.push_back({device.info(), {}});
-        runners.push_back({device, std::make_unique<Job>(device, patches, options, limits)});
-        runners.back().job->poison_outputs(0xa5a5a5a5u + static_cast<std::uint32_t>(runners.size()));
-    }
-    const std::size_t chunks = runners.front().job->chunk_count();
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        const std::vector<Batch>* batches = nullptr;
-        for (Runner& runner : runners) {
-            runner.job->count(chunk);
-            const std::vector<Batch>& own = runner.job->prepare();
-            batches = batches == nullptr ? &own : batches;
-        }
-        compare_views(runners, results, &Job::prepared_views);
-        if (!std::ranges::all_of(results, [](const DeviceComparison& result) {
-                return result.stages[static_cast<std::size_t>(StageId::scan)].differing == 0;
-            })) {
-            return results;  // other offsets make other batches
-        }
-        for (std::size_t b = 0; b < batches->size(); ++b) {
-            for (Runner& runner : runners) {
-                runner.job->emit((*batches)[b], 0);
-            }
-            compare_views(runners, results, &Job::emitted_views);
-            if (progress) {
-                progress(
-                    (static_cast<double>(chunk) + static_cast<double>(b + 1) / static_cast<double>(batches->size())) /
-                    static_cast<double>(chunks));
-            }
-        }
-    }
-    return results;
+    return compare_any_jobs<Job>(devices, patches, options, progress);
+}
+
+std::vector<DeviceComparison> compare_hair_jobs(const std::vector<gpu::Device>& devices, const patches::HairSet& hair,
+                                                const HairOptions& options,
+                                                const std::function<void(double)>& progress) {
+    return compare_any_jobs<HairJob>(devices, hair, options, progress);
 }
 
 std::string describe(const Difference& d) {

@@ -1,6 +1,7 @@
 // The same job on several devices in step, every stage's buffer compared bit by bit with the first device's.
 #pragma once
 
+#include "tessellate/hair_job.hpp"
 #include "tessellate/job.hpp"
 
 #include <array>
@@ -38,6 +39,11 @@ struct DeviceComparison {
 std::vector<DeviceComparison> compare_jobs(const std::vector<gpu::Device>& devices, const patches::PatchSet& patches,
                                            const TessellationOptions& options,
                                            const std::function<void(double)>& progress = {});
+
+/// The same for a job of hair; what is called control nets are the curves of the guides.
+std::vector<DeviceComparison> compare_hair_jobs(const std::vector<gpu::Device>& devices, const patches::HairSet& hair,
+                                                const HairOptions& options,
+                                                const std::function<void(double)>& progress = {});
 
 /// "element 12: 3f800000 (1) expected, 3f800001 (1.0000001) found"
 std::string describe(const Difference& difference);

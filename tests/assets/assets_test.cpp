@@ -1,5 +1,5 @@
 // The project's own models are what assets/README.md says: closed, consistently wound, outward, smooth where they
-// should be.
+// should be, and the furball has its hair.
 #include "scene/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -42,17 +42,20 @@ Corners corners_by_position(const scene::Mesh& mesh) {
 class Asset : public testing::TestWithParam<std::string> {
 protected:
     scene::Scene scene_ = scene::load_scene((folder / GetParam()).string());
+    const bool hairy_ = GetParam() == "furball.glb";
 };
 
 TEST_P(Asset, IsSmallAndOnePrimitive) {
-    EXPECT_LT(fs::file_size(folder / GetParam()), 100'000u);
-    EXPECT_EQ(1u, scene_.meshes.size());
+    EXPECT_LT(fs::file_size(folder / GetParam()), hairy_ ? 200'000u : 100'000u);
+    EXPECT_EQ(hairy_ ? 7u : 1u, scene_.meshes.size());
+    EXPECT_EQ(hairy_ ? 1u : 0u, scene_.guides.size());
     EXPECT_TRUE(scene_.messages.empty()) << scene_.messages.front();
-    EXPECT_LT(scene_.meshes.front().triangles.size() / 3, 700u);
+    for (const scene::Mesh& mesh : scene_.meshes)
+        EXPECT_LT(mesh.triangles.size() / 3, 700u);
 }
 
-TEST_P(Asset, IsClosedAndConsistentlyWound) {
-    const Corners corners = corners_by_position(scene_.meshes.front());
+void expect_closed_and_consistently_wound(const scene::Mesh& mesh) {
+    const Corners corners = corners_by_position(mesh);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const auto& t : corners.triangles) {
         for (std::size_t i = 0; i < 3; ++i)
@@ -69,8 +72,13 @@ TEST_P(Asset, IsClosedAndConsistentlyWound) {
     EXPECT_EQ(2, characteristic);
 }
 
-TEST_P(Asset, FacesOutward) {
-    const Corners corners = corners_by_position(scene_.meshes.front());
+TEST_P(Asset, IsClosedAndConsistentlyWound) {
+    for (const scene::Mesh& mesh : scene_.meshes)
+        expect_closed_and_consistently_wound(mesh);
+}
+
+void expect_to_face_outward(const scene::Mesh& mesh, double least_volume) {
+    const Corners corners = corners_by_position(mesh);
     double volume = 0.0;
     for (const auto& t : corners.triangles) {
         const glm::dvec3 a = corners.positions[t[0]];
@@ -79,11 +87,15 @@ TEST_P(Asset, FacesOutward) {
         volume += glm::dot(a, glm::cross(b, c)) / 6.0;
         EXPECT_GT(glm::length(glm::cross(b - a, c - a)), 1e-6) << "a triangle without area";
     }
-    EXPECT_GT(volume, 0.1);
+    EXPECT_GT(volume, least_volume);
 }
 
-TEST_P(Asset, NormalsFollowTheTriangles) {
-    const scene::Mesh& mesh = scene_.meshes.front();
+TEST_P(Asset, FacesOutward) {
+    for (const scene::Mesh& mesh : scene_.meshes)
+        expect_to_face_outward(mesh, mesh.name == scene_.meshes.front().name ? 0.1 : 0.001);
+}
+
+void expect_normals_to_follow_the_triangles(const scene::Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
         const std::uint32_t* t = &mesh.triangles[i];
         const glm::vec3 face =
@@ -94,6 +106,11 @@ TEST_P(Asset, NormalsFollowTheTriangles) {
             EXPECT_GT(glm::dot(face, normal), 0.0f) << "triangle " << i / 3 << " corner " << corner;
         }
     }
+}
+
+TEST_P(Asset, NormalsFollowTheTriangles) {
+    for (const scene::Mesh& mesh : scene_.meshes)
+        expect_normals_to_follow_the_triangles(mesh);
 }
 
 std::vector<std::string> asset_names() {
@@ -120,6 +137,27 @@ TEST(Assets, HardEdgesAreSplitOnlyInThePawn) {
             split = split || found->second != mesh.normals[i];
         }
         EXPECT_EQ(name == "pawn.glb", split) << name;
+    }
+}
+
+TEST(Assets, TheFurballsHairGrowsFromItsSkinOutward) {
+    const scene::Scene scene = scene::load_scene((folder / "furball.glb").string());
+    const scene::Guides& guides = scene.guides.at(0);
+    EXPECT_GE(guides.ends.size(), 400u);
+    ASSERT_TRUE(scene.materials.at(guides.material).base_color_image.has_value());
+    EXPECT_TRUE(scene.materials.at(guides.material).double_sided);
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : guides.ends) {
+        EXPECT_EQ(end - begin, 6u);
+        const glm::vec3 root = guides.points[begin];
+        EXPECT_NEAR(glm::length(root), 0.97f * 0.85f, 1e-4f);
+        EXPECT_GT(glm::length(guides.points[end - 1]), 0.9f) << "the tip of the hair at " << root.x << " " << root.y;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            EXPECT_GE(glm::length(guides.points[i]), glm::length(root) - 1e-4f);
+            EXPECT_NEAR(glm::dot(guides.normals[i], root) / glm::length(root), 1.0f, 1e-4f);
+            EXPECT_GT(guides.widths[i], 0.0f);
+        }
+        begin = end;
     }
 }
 

@@ -32,6 +32,26 @@ std::string small_glb() {
     return builder.glb();
 }
 
+/// A GLB with guide curves: a strip and lines, with normals, widths and a mirroring node.
+std::string hairy_glb() {
+    GltfBuilder builder;
+    const int positions = builder.add_positions({0, 0, 0, 0, 1, 0, 0, 2, 1, 1, 0, 0, 1, 1, 0});
+    const int normals =
+        builder.add("VEC3", 5120, std::vector<std::int8_t>{0, 0, 9, 0, 9, 0, 9, 0, 0, 1, 2, 3, 0, 0, 1}, 4);
+    const int widths = builder.add("SCALAR", 5126, std::vector<float>{1, 1, 1, 0.5f, 0});
+    const int strip = builder.add("SCALAR", 5121, std::vector<std::uint8_t>{0, 1, 2});
+    const int lines = builder.add("SCALAR", 5121, std::vector<std::uint8_t>{0, 1, 1, 2, 3, 4});
+    nlohmann::json primitives;
+    for (const int indices : {strip, lines}) {
+        primitives.push_back({{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"_WIDTH", widths}}},
+                              {"indices", indices},
+                              {"mode", indices == strip ? 3 : 1}});
+    }
+    builder.push("meshes", {{"primitives", primitives}});
+    builder.push("nodes", {{"mesh", 0}, {"scale", {1, -1, 2}}});
+    return builder.glb();
+}
+
 class Damaged {
 public:
     void expect_load_or_error(const std::string& bytes) {
@@ -63,6 +83,21 @@ TEST(Fuzz, EveryTruncationIsRefused) {
 
 TEST(Fuzz, FlippedBytesLoadOrAreRefused) {
     const std::string glb = small_glb();
+    std::mt19937 random(1);
+    Damaged damaged;
+    for (int round = 0; round < 2000; ++round) {
+        std::string bytes = glb;
+        for (int flips = 1 + static_cast<int>(random() % 3); flips > 0; --flips) {
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        }
+        damaged.expect_load_or_error(bytes);
+    }
+    EXPECT_GT(damaged.loaded, 100);
+    EXPECT_GT(damaged.refused, 100);
+}
+
+TEST(Fuzz, FlippedBytesOfHairLoadOrAreRefused) {
+    const std::string glb = hairy_glb();
     std::mt19937 random(1);
     Damaged damaged;
     for (int round = 0; round < 2000; ++round) {

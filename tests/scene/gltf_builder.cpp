@@ -131,6 +131,29 @@ void expect_sound(const scene::Scene& scene) {
             sound = sound && corner.vertex < mesh.positions.size() && std::isfinite(corner.sharpness);
         ASSERT_TRUE(sound) << mesh.name << " has an unsound tag";
     }
+    for (const auto& guides : scene.guides) {
+        ASSERT_LT(guides.material, scene.materials.size());
+        ASSERT_EQ(guides.normals.size(), guides.points.size());
+        ASSERT_EQ(guides.widths.size(), guides.points.size());
+        ASSERT_FALSE(guides.ends.empty());
+        ASSERT_EQ(guides.ends.back(), guides.points.size());
+        bool sound = true;
+        std::uint32_t begin = 0;
+        for (const std::uint32_t end : guides.ends) {
+            sound = sound && end >= begin + 2;
+            for (std::uint32_t i = begin; i < end && sound; ++i) {
+                const glm::vec3& p = guides.points[i];
+                sound = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+                sound = sound && (i == begin || p != guides.points[i - 1]);
+                const float width = guides.widths[i];
+                sound = sound && std::isfinite(width) && (width >= 0.0f || width == scene::no_width);
+                const float length = glm::length(guides.normals[i]);
+                sound = sound && (length == 0.0f || std::abs(length - 1.0f) < 1e-5f);
+            }
+            begin = end;
+        }
+        ASSERT_TRUE(sound) << guides.name << " has an unsound curve";
+    }
     for (const auto& material : scene.materials) {
         ASSERT_LT(material.base_color_image.value_or(0), std::max<std::size_t>(scene.images.size(), 1));
     }
