@@ -44,6 +44,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define KERNEL4(name, a, b, c, d) a b c d void main()
 #define KERNEL5(name, a, b, c, d, e) a b c d e void main()
 #define KERNEL6(name, a, b, c, d, e, f) a b c d e f void main()
+#define KERNEL7(name, a, b, c, d, e, f, g) a b c d e f g void main()
 
 // Index of the work item over both dimensions of the dispatch.
 #define ITEM (gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * uint(WORKGROUP_SIZE)))
@@ -71,6 +72,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define KERNEL4(name, a, b, c, d) __kernel void name(a, b, c, d)
 #define KERNEL5(name, a, b, c, d, e) __kernel void name(a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) __kernel void name(a, b, c, d, e, f)
+#define KERNEL7(name, a, b, c, d, e, f, g) __kernel void name(a, b, c, d, e, f, g)
 
 #define ITEM ((uint)get_global_id(0) + (uint)get_global_id(1) * (uint)get_global_size(0))
 
@@ -121,6 +123,7 @@ struct Uniform {
 #define KERNEL4(name, a, b, c, d) inline void name(Item dispatched, a, b, c, d)
 #define KERNEL5(name, a, b, c, d, e) inline void name(Item dispatched, a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) inline void name(Item dispatched, a, b, c, d, e, f)
+#define KERNEL7(name, a, b, c, d, e, f, g) inline void name(Item dispatched, a, b, c, d, e, f, g)
 
 #define ITEM dispatched.index
 

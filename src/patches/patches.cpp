@@ -1,6 +1,7 @@
 #include "patches/patches.hpp"
 
 #include "base/error.hpp"
+#include "patches/surface_tags.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -72,6 +73,7 @@ PatchSet make_patches(const scene::Scene& scene) {
             set.has_quads = true;
         }
     }
+    add_surface_tags(scene, set);
     return set;
 }
 

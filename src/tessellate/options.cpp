@@ -10,7 +10,7 @@ namespace tessera {
 namespace {
 
 constexpr std::array<std::string_view, 3> domain_names{"triangle", "quad", "isoline"};
-constexpr std::array<std::string_view, 3> scheme_names{"linear", "phong", "pn"};
+constexpr std::array<std::string_view, 4> scheme_names{"linear", "phong", "pn", "stpn"};
 constexpr std::array<std::string_view, 2> normals_names{"linear", "quadratic"};
 constexpr std::array<std::string_view, 5> partitioning_names{"integer", "pow2", "fractional_odd", "fractional_even",
                                                              "uniform"};
@@ -26,6 +26,11 @@ std::size_t index_of(std::span<const std::string_view> names, std::string_view n
 }
 
 }  // namespace
+
+std::uint32_t degree(Scheme scheme) {
+    constexpr std::array<std::uint32_t, scheme_names.size()> degrees{1, 2, 3, 3};
+    return degrees.at(static_cast<std::size_t>(scheme));
+}
 
 std::string_view name(Domain domain) {
     return domain_names.at(static_cast<std::size_t>(domain));
