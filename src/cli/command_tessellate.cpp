@@ -19,6 +19,7 @@ struct Words {
     std::string input, output, device = "reference";
     JobWords job;
     LoadWords load;
+    std::string topology = "triangles";
     bool json = false;
 };
 
@@ -63,7 +64,8 @@ int run(const Context& context, const Words& words) {
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = load(context, words.input, words.load);
     const patches::PatchSet patches = patches::make_patches(scene);
-    const TessellationOptions options = resolve(words.job, patches);
+    TessellationOptions options = resolve(words.job, patches);
+    options.topology = topology_from_name(words.topology);
     gpu::Device device = backends::open_device(words.device);
     Tessellator tessellator(device, patches, options);
     const auto writer = exporting::create_mesh_writer(words.output, tessellator.totals(), scene);
@@ -87,6 +89,10 @@ void add_tessellate_command(CLI::App& app, Context& context) {
         ->required();
     command->add_option("-o,--output", words->output, "The file to write: .glb, .obj or .ply")->required();
     command->add_option("--device", words->device, "reference, vulkan[:index or name] or opencl[:index or name]")
+        ->capture_default_str();
+    command
+        ->add_option("--topology", words->topology,
+                     "triangles, or quads: the regular grid inside quad patches stays quads (.obj, .glb)")
         ->capture_default_str();
     command->add_flag("--json", words->json, "Print counts and times as JSON on stdout");
     add_load_options(*command, words->load);

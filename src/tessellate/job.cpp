@@ -304,6 +304,10 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
     return s.offsets;
 }
 
+const std::vector<PatchOffset>& Job::offsets() const {
+    return state_->offsets;
+}
+
 const std::vector<Batch>& Job::prepare() {
     State& s = *state_;
     const Chunk& chunk = s.plan.chunks[s.current_chunk];

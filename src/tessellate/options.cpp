@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 4> scheme_names{"linear", "phong", "pn", 
 constexpr std::array<std::string_view, 2> normals_names{"linear", "quadratic"};
 constexpr std::array<std::string_view, 5> partitioning_names{"integer", "pow2", "fractional_odd", "fractional_even",
                                                              "uniform"};
+constexpr std::array<std::string_view, 2> topology_names{"triangles", "quads"};
 
 std::size_t index_of(std::span<const std::string_view> names, std::string_view name, const char* what) {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -44,6 +45,9 @@ std::string_view name(Normals normals) {
 std::string_view name(Partitioning partitioning) {
     return partitioning_names.at(static_cast<std::size_t>(partitioning));
 }
+std::string_view name(Topology topology) {
+    return topology_names.at(static_cast<std::size_t>(topology));
+}
 
 Domain domain_from_name(std::string_view name) {
     return static_cast<Domain>(index_of(domain_names, name, "domain"));
@@ -56,6 +60,9 @@ Normals normals_from_name(std::string_view name) {
 }
 Partitioning partitioning_from_name(std::string_view name) {
     return static_cast<Partitioning>(index_of(partitioning_names, name, "partitioning"));
+}
+Topology topology_from_name(std::string_view name) {
+    return static_cast<Topology>(index_of(topology_names, name, "topology"));
 }
 
 }  // namespace tessera

@@ -40,6 +40,12 @@ enum class Partitioning : std::uint32_t {
 /// U=1, V=1, inside U, inside V; isolines density (lines), detail (segments).
 using PatchFactors = std::array<float, 6>;
 
+/// What faces a tessellator hands on.
+enum class Topology {
+    triangles,
+    quads,  ///< where a quad patch's pattern is a regular grid, its cells are marked as quads
+};
+
 struct TessellationOptions {
     Scheme scheme = Scheme::pn;
     Normals normals = Normals::quadratic;
@@ -49,6 +55,7 @@ struct TessellationOptions {
     std::variant<PatchFactors, std::vector<PatchFactors>> factors = PatchFactors{4, 4, 4, 4, 4, 4};
     /// Shape factor of Phong tessellation in [0, 1]: 0 flat, 1 full; for control vertices that have none of their own.
     float alpha = 0.75f;
+    Topology topology = Topology::triangles;
     /// Bytes of device memory a job may take; outputs larger than that are made in batches.
     std::uint64_t memory_budget = 512ull << 20;
 };
@@ -62,9 +69,11 @@ std::string_view name(Domain domain);
 std::string_view name(Scheme scheme);
 std::string_view name(Normals normals);
 std::string_view name(Partitioning partitioning);
+std::string_view name(Topology topology);
 Domain domain_from_name(std::string_view name);
 Scheme scheme_from_name(std::string_view name);
 Normals normals_from_name(std::string_view name);
 Partitioning partitioning_from_name(std::string_view name);
+Topology topology_from_name(std::string_view name);
 
 }  // namespace tessera
