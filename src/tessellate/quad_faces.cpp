@@ -144,11 +144,11 @@ public:
         : first_vertex_(first_vertex), indices_(indices), quads_(quads) {}
 
     void add(Corners c) {
-        if (c[0] == last_) std::ranges::rotate(c, c.begin() + 1);
+        if (c[0] == last_) std::rotate(c.begin(), c.begin() + 1, c.end());
         put(c, 0);
     }
     void add(std::array<std::uint32_t, 4> c) {
-        if (c[0] == last_) std::ranges::rotate(c, c.begin() + 2);  // the diagonal stays
+        if (c[0] == last_) std::rotate(c.begin(), c.begin() + 2, c.end());  // the diagonal stays
         put({c[0], c[1], c[2]}, 1);
         put({c[0], c[2], c[3]}, 0);
     }

@@ -32,7 +32,7 @@ std::multiset<Triangle> triangle_set(const std::vector<std::uint32_t>& indices) 
     std::multiset<Triangle> set;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         Triangle t{indices[i], indices[i + 1], indices[i + 2]};
-        std::ranges::rotate(t, std::ranges::min_element(t));
+        std::rotate(t.begin(), std::ranges::min_element(t), t.end());
         set.insert(t);
     }
     return set;

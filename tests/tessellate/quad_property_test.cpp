@@ -77,7 +77,7 @@ TriangleSet triangle_set(const Pattern& pattern, std::size_t first = 0) {
             const DomainPoint& p = pattern.points[pattern.indices[t + k]];
             corners[k] = std::uint64_t{p.u} << 32 | p.v;
         }
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         set.insert(corners);
     }
     return set;
