@@ -16,11 +16,15 @@ float flush(float x) {
     return std::fabs(x) < tiny ? 0.0f : x;
 }
 
+/// Of the coordinates that faces use: a stray vertex must not make the model small.
 int largest_exponent(const scene::Scene& scene) {
     float largest = 0.0f;
     for (const scene::Mesh& mesh : scene.meshes) {
-        for (const glm::vec3& p : mesh.positions) {
-            largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+        for (const std::vector<std::uint32_t>* indices : {&mesh.triangles, &mesh.quads}) {
+            for (const std::uint32_t i : *indices) {
+                const glm::vec3& p = mesh.positions[i];
+                largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+            }
         }
     }
     return largest > 0.0f ? std::ilogb(largest) : 0;
@@ -30,7 +34,8 @@ Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];
     const glm::vec2& t = mesh.uvs[i];
-    const auto scaled = [exponent](float x) { return flush(std::scalbn(x, -exponent)); };
+    // A vertex that no face uses may lie far outside; no kernel shall meet an infinity.
+    const auto scaled = [exponent](float x) { return flush(std::clamp(std::scalbn(x, -exponent), -2.0f, 2.0f)); };
     return {{scaled(p.x), scaled(p.y), scaled(p.z)}, {flush(n.x), flush(n.y), flush(n.z)}, {flush(t.x), flush(t.y)}};
 }
 

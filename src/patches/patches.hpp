@@ -56,7 +56,7 @@ struct PatchSet {
     std::vector<VertexTags> vertex_tags;                 ///< of each control vertex, or none at all
     std::vector<std::array<CornerTags, 4>> corner_tags;  ///< of each patch, or none at all: where there are creases
     std::vector<PatchRange> ranges;
-    /// The largest coordinate of the scene lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
+    /// The largest coordinate of the faces lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
     /// 2^exponent, exactly.
     int exponent = 0;
 
@@ -64,7 +64,8 @@ struct PatchSet {
 };
 
 /// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60
-/// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel.
+/// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel. Vertices that no
+/// face uses do not count; their coordinates are clamped to [-2, 2].
 /// Throws Error(usage) where there is nothing to tessellate or more than 2^32 - 1 control vertices.
 PatchSet make_patches(const scene::Scene& scene);
 

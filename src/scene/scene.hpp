@@ -104,7 +104,9 @@ struct LoadOptions {
 ///
 /// glTF: nodes are baked into world space in double precision; skins and morph targets are taken in the file's rest
 /// pose. Triangles that FB_ngon_encoding marks as two halves of a quad become a quad. Normals that the file gives are
-/// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position.
+/// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position. Left
+/// out, counted in messages: triangles that name a vertex twice or have a position that is not finite. Kept, and
+/// counted: triangles without area, edges of more than two faces of a node, vertices that no triangle uses.
 ///
 /// Attributes that shape the surface: `_ALPHA` (SCALAR) is Phong tessellation's alpha of each vertex, `_STPN` (VEC3)
 /// sharpness, bias and tension of scalar tagged PN triangles; floats, or integers that are normalised or not. A number
