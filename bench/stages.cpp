@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     for (const gpu::DeviceInfo& info : backends::list_devices().devices) {
         benchmark::AddCustomContext(info.id,
                                     fmt::format("{}, {}{}", info.name, info.driver, info.software ? ", software" : ""));
-        for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+        for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
             const std::string what = fmt::format("{}/{}", info.id, name(scheme));
             benchmark::RegisterBenchmark((what + "/control_nets").c_str(), control_nets, info.id, scheme)
                 ->UseRealTime();

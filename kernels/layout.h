@@ -8,6 +8,14 @@
 // A control vertex and an output vertex alike: position x y z, normal x y z, texture coordinates u v.
 #define VERTEX_FLOATS 8u
 
+// What shapes the surface at a control vertex, read by the schemes phong and stpn only: sharpness, bias, tension,
+// alpha, the direction of a crease that runs through it, the normal of a crease's smooth share (schemes/tags.h).
+#define VERTEX_TAG_FLOATS 10u
+
+// Four per patch, one per corner, read by the scheme stpn only: the corner's normal x y z, and the sharpness of the
+// edge from this corner to the next.
+#define CORNER_TAG_FLOATS 4u
+
 // Partitionings, as stored in a patch record. The first four are those of the fixed-function tessellator; UNIFORM is
 // the even triangular grid of Vlachos et al. 2001.
 #define PARTITIONING_INTEGER 0u
@@ -108,7 +116,7 @@ STRUCT(ControlNetsParams) {
     uint first;
     uint count;
     uint net_stride;  // floats
-    float alpha;      // shape factor of Phong tessellation; other schemes ignore it
+    uint tag_stride;  // floats from one vertex's tags to the next; 0: the first tags hold for every vertex
 };
 
 // Emission into buffers that begin with the first vertex and index of a batch.

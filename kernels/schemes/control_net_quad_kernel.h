@@ -1,10 +1,25 @@
 // Stage 2 for quads, the kernel of every scheme: corners -> control net. An including file names the kernel and its
-// scheme by NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn: the degree) and NET_NORMALS (1 linear, 2 quadratic). No
+// scheme by NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn, 4 stpn) and NET_NORMALS (1 linear, 2 quadratic). No
 // include guard: every variant includes it once.
+#if NET_SCHEME == 4
+#define NET_DEGREE 3
+#else
+#define NET_DEGREE NET_SCHEME
+#endif
+
 KERNELS_BEGIN
 
+#if NET_SCHEME == 2
+KERNEL6(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
+        READ(3, float, vertex_tags), WRITE(4, float, nets), UNIFORM(5, ControlNetsParams, params)) {
+#elif NET_SCHEME == 4
+KERNEL7(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
+        READ(3, float, vertex_tags), READ(4, float, corner_tags), WRITE(5, float, nets),
+        UNIFORM(6, ControlNetsParams, params)) {
+#else
 KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
         WRITE(3, float, nets), UNIFORM(4, ControlNetsParams, params)) {
+#endif
     const ControlNetsParams p = LOAD_UNIFORM(params);
     const uint item = ITEM;
     if (item >= p.count) {
@@ -17,20 +32,48 @@ KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indice
     const uint i3 = patch_indices[PATCH_CORNERS * patch_index + 3u];
     QuadCorners corners;
     LOAD_QUAD_CORNERS(corners, control_vertices, i0, i1, i2, i3);
+#if NET_SCHEME == 4
+    VertexTags t0;
+    LOAD_VERTEX_TAGS(t0, vertex_tags, i0 * p.tag_stride);
+    VertexTags t1;
+    LOAD_VERTEX_TAGS(t1, vertex_tags, i1 * p.tag_stride);
+    VertexTags t2;
+    LOAD_VERTEX_TAGS(t2, vertex_tags, i2 * p.tag_stride);
+    VertexTags t3;
+    LOAD_VERTEX_TAGS(t3, vertex_tags, i3 * p.tag_stride);
+    CornerTags k0;
+    LOAD_CORNER_TAGS(k0, corner_tags, (PATCH_CORNERS * patch_index + 0u) * CORNER_TAG_FLOATS);
+    CornerTags k1;
+    LOAD_CORNER_TAGS(k1, corner_tags, (PATCH_CORNERS * patch_index + 1u) * CORNER_TAG_FLOATS);
+    CornerTags k2;
+    LOAD_CORNER_TAGS(k2, corner_tags, (PATCH_CORNERS * patch_index + 2u) * CORNER_TAG_FLOATS);
+    CornerTags k3;
+    LOAD_CORNER_TAGS(k3, corner_tags, (PATCH_CORNERS * patch_index + 3u) * CORNER_TAG_FLOATS);
+    corners.n0 = k0.normal;
+    corners.n1 = k1.normal;
+    corners.n2 = k2.normal;
+    corners.n3 = k3.normal;
+#endif
     const uint at = patch_index * p.net_stride;
     STORE_VECTOR(nets, at, corners.p0);
     STORE_VECTOR(nets, at + 3u, corners.p1);
     STORE_VECTOR(nets, at + 6u, corners.p2);
     STORE_VECTOR(nets, at + 9u, corners.p3);
 #if NET_SCHEME == 2
-    const PhongQuadNet net = phong_quad_net(corners, p.alpha);
+    const PhongQuadNet net =
+        phong_quad_net(corners, vertex_tags[i0 * p.tag_stride + 3u], vertex_tags[i1 * p.tag_stride + 3u],
+                       vertex_tags[i2 * p.tag_stride + 3u], vertex_tags[i3 * p.tag_stride + 3u]);
     STORE_VECTOR(nets, at + 12u, net.c01);
     STORE_VECTOR(nets, at + 15u, net.c12);
     STORE_VECTOR(nets, at + 18u, net.c23);
     STORE_VECTOR(nets, at + 21u, net.c30);
     STORE_VECTOR(nets, at + 24u, net.centre);
-#elif NET_SCHEME == 3
+#elif NET_DEGREE == 3
+#if NET_SCHEME == 4
+    const PnQuadNet net = stpn_quad_net(corners, k0, k1, k2, k3, t0, t1, t2, t3);
+#else
     const PnQuadNet net = pn_quad_net(corners);
+#endif
     STORE_VECTOR(nets, at + 12u, net.c01);
     STORE_VECTOR(nets, at + 15u, net.c10);
     STORE_VECTOR(nets, at + 18u, net.c12);
@@ -44,7 +87,7 @@ KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indice
     STORE_VECTOR(nets, at + 42u, net.inner2);
     STORE_VECTOR(nets, at + 45u, net.inner3);
 #endif
-    const uint normals = at + 3u * QUAD_NET_POINTS(NET_SCHEME);
+    const uint normals = at + 3u * QUAD_NET_POINTS(NET_DEGREE);
     STORE_VECTOR(nets, normals, corners.n0);
     STORE_VECTOR(nets, normals + 3u, corners.n1);
     STORE_VECTOR(nets, normals + 6u, corners.n2);
@@ -76,4 +119,5 @@ KERNELS_END
 
 #undef NET_KERNEL
 #undef NET_SCHEME
+#undef NET_DEGREE
 #undef NET_NORMALS

@@ -32,6 +32,14 @@ FUNCTION Vector pn_edge_point(Vector pa, Vector na, Vector pb) {
     return add(pa, scale(tangent, ONE_THIRD));
 }
 
+/// b_111 = E + (E - V) / 2, E the mean of the six edge points, V that of the corners.
+FUNCTION Vector pn_centre(PnNet net) {
+    const Vector edges = add(add(add(net.c01, net.c10), add(net.c12, net.c21)), add(net.c20, net.c02));
+    const Vector e = scale(edges, ONE_SIXTH);
+    const Vector v = scale(add(add(net.c0, net.c1), net.c2), ONE_THIRD);
+    return add(e, scale(subtract(e, v), 0.5f));
+}
+
 FUNCTION PnNet pn_net(Corners corners) {
     PnNet net;
     net.c0 = corners.p0;
@@ -43,11 +51,7 @@ FUNCTION PnNet pn_net(Corners corners) {
     net.c21 = pn_edge_point(corners.p2, corners.n2, corners.p1);
     net.c20 = pn_edge_point(corners.p2, corners.n2, corners.p0);
     net.c02 = pn_edge_point(corners.p0, corners.n0, corners.p2);
-    // b_111 = E + (E - V) / 2, E the mean of the six edge points, V that of the corners.
-    const Vector edges = add(add(add(net.c01, net.c10), add(net.c12, net.c21)), add(net.c20, net.c02));
-    const Vector e = scale(edges, ONE_SIXTH);
-    const Vector v = scale(add(add(corners.p0, corners.p1), corners.p2), ONE_THIRD);
-    net.centre = add(e, scale(subtract(e, v), 0.5f));
+    net.centre = pn_centre(net);
     return net;
 }
 

@@ -42,6 +42,16 @@ FUNCTION Vector coons_point(Vector pa, Vector pb, Vector pc, Vector pd, Vector c
     return scale(subtract(add(near_edges, far_edges), corners), ONE_NINTH);
 }
 
+/// The net with the interior points that its boundary asks for.
+FUNCTION PnQuadNet with_coons_interior(PnQuadNet boundary) {
+    PnQuadNet net = boundary;
+    net.inner0 = coons_point(net.c0, net.c1, net.c2, net.c3, net.c01, net.c03, net.c12, net.c32);
+    net.inner1 = coons_point(net.c1, net.c2, net.c3, net.c0, net.c12, net.c10, net.c23, net.c03);
+    net.inner2 = coons_point(net.c2, net.c3, net.c0, net.c1, net.c23, net.c21, net.c30, net.c10);
+    net.inner3 = coons_point(net.c3, net.c0, net.c1, net.c2, net.c30, net.c32, net.c01, net.c21);
+    return net;
+}
+
 FUNCTION PnQuadNet pn_quad_net(QuadCorners corners) {
     PnQuadNet net;
     net.c0 = corners.p0;
@@ -56,11 +66,7 @@ FUNCTION PnQuadNet pn_quad_net(QuadCorners corners) {
     net.c32 = pn_edge_point(corners.p3, corners.n3, corners.p2);
     net.c30 = pn_edge_point(corners.p3, corners.n3, corners.p0);
     net.c03 = pn_edge_point(corners.p0, corners.n0, corners.p3);
-    net.inner0 = coons_point(net.c0, net.c1, net.c2, net.c3, net.c01, net.c03, net.c12, net.c32);
-    net.inner1 = coons_point(net.c1, net.c2, net.c3, net.c0, net.c12, net.c10, net.c23, net.c03);
-    net.inner2 = coons_point(net.c2, net.c3, net.c0, net.c1, net.c23, net.c21, net.c30, net.c10);
-    net.inner3 = coons_point(net.c3, net.c0, net.c1, net.c2, net.c30, net.c32, net.c01, net.c21);
-    return net;
+    return with_coons_interior(net);
 }
 
 KERNELS_END

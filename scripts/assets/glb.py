@@ -26,8 +26,16 @@ def single(values):
     return struct.unpack("<%df" % len(values), struct.pack("<%df" % len(values), *values))
 
 
+def only_used(vertices, faces):
+    """The vertices that faces use, in their order, and the faces in terms of them."""
+    used = sorted({v for face in faces for v in face})
+    place = {v: i for i, v in enumerate(used)}
+    return [vertices[v] for v in used], [tuple(place[v] for v in face) for face in faces]
+
+
 def write_glb(path, name, vertices, faces, image=None, colour=(1.0, 1.0, 1.0, 1.0)):
-    """One mesh of one primitive; each vertex is (position, unit normal, uv)."""
+    """One mesh of one primitive; each vertex is (position, unit normal, uv). Those that no face uses are left out."""
+    vertices, faces = only_used(vertices, faces)
     assert len(vertices) < 65536
     flat = [single(tuple(p) + tuple(n) + tuple(t)) for p, n, t in vertices]
     data = b"".join(struct.pack("<8f", *v) for v in flat)

@@ -22,6 +22,7 @@ struct Words {
     JobWords job;
     LoadWords load;
     HairWords hair;
+    std::string topology = "triangles";
     bool json = false;
 };
 
@@ -69,7 +70,8 @@ int run(const Context& context, const Words& words) {
     const scene::Scene scene = load(context, words.input, words.load);
     const patches::PatchSet patches = surface_patches(scene);
     const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
-    const TessellationOptions options = resolve(words.job, patches);
+    TessellationOptions options = resolve(words.job, patches);
+    options.topology = topology_from_name(words.topology);
     const HairOptions hair_options = resolve_hair(words.hair, Ribbons::flat, words.job.memory_budget);
     if (hair_options.ribbons == Ribbons::camera && words.hair.eye.empty()) {
         throw Error(ErrorKind::usage,
@@ -99,6 +101,10 @@ void add_tessellate_command(CLI::App& app, Context& context) {
         ->required();
     command->add_option("-o,--output", words->output, "The file to write: .glb, .obj or .ply")->required();
     command->add_option("--device", words->device, "reference, vulkan[:index or name] or opencl[:index or name]")
+        ->capture_default_str();
+    command
+        ->add_option("--topology", words->topology,
+                     "triangles, or quads: the regular grid inside quad patches stays quads (.obj, .glb)")
         ->capture_default_str();
     command->add_flag("--json", words->json, "Print counts and times as JSON on stdout");
     add_load_options(*command, words->load);

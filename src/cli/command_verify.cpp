@@ -174,8 +174,12 @@ std::vector<JobWords> variants(const Words& words) {
         return {words.job};
     }
     std::vector<JobWords> list;
-    for (const char* scheme : {"linear", "phong", "pn"}) {
+    for (const char* scheme : {"linear", "phong", "pn", "stpn"}) {
+        // The oracle has no tags.
+        if (!words.oracle.empty() && std::string_view(scheme) == "stpn") continue;
         for (const char* normals : {"linear", "quadratic", "true"}) {
+            // Nor true normals.
+            if (!words.oracle.empty() && std::string_view(normals) == "true") continue;
             for (const char* partitioning : {"integer", "pow2", "fractional_odd", "fractional_even", "uniform"}) {
                 JobWords job = words.job;
                 job.scheme = scheme;

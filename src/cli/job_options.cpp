@@ -85,7 +85,10 @@ PatchFactors factors_from_words(const std::string& words, Domain domain) {
 }
 
 void add_job_options(CLI::App& command, JobWords& words) {
-    command.add_option("--scheme", words.scheme, "Surface: linear, phong or pn")->capture_default_str();
+    command
+        .add_option("--scheme", words.scheme,
+                    "Surface: linear, phong, pn or stpn (pn with the model's creases and tags)")
+        ->capture_default_str();
     command.add_option("--normals", words.normals, "How normals vary: linear, quadratic, or true (the surface's own)")
         ->capture_default_str();
     command
@@ -96,7 +99,10 @@ void add_job_options(CLI::App& command, JobWords& words) {
     command
         .add_option("--partitioning", words.partitioning, "integer, pow2, fractional_odd, fractional_even or uniform")
         ->capture_default_str();
-    command.add_option("--alpha", words.alpha, "Shape factor of phong, 0 flat to 1 full")->capture_default_str();
+    command
+        .add_option("--alpha", words.alpha,
+                    "Shape factor of phong where the model has none of its own, 0 flat to 1 full")
+        ->capture_default_str();
     command
         .add_option("--memory-budget", words.memory_budget,
                     "Device memory for the job, such as 64M or 2G (default 512M)")

@@ -42,6 +42,7 @@ void BatchCheck::accept(const MeshBatch& batch) {
             vertices_, totals_.vertex_count, batch.indices.size(), indices_, totals_.index_count));
     }
     check_indices(batch);
+    check_quads(batch);
     check_finite(batch);
     vertices_ += batch.vertices.size();
     indices_ += batch.indices.size();
@@ -67,6 +68,24 @@ void BatchCheck::check_indices(const MeshBatch& batch) const {
                                           low, high, begin, end, number));
                       }
                   });
+}
+
+void BatchCheck::check_quads(const MeshBatch& batch) const {
+    require_equal("marks of quads", totals_.has_quads ? batch.indices.size() / 3 : 0, batch.quads.size());
+    for_each_part(
+        totals_, &MeshPart::first_index, &MeshPart::index_count, batch.first_index, batch.indices.size(),
+        [&](std::size_t, std::uint64_t first, std::uint64_t count) {
+            const std::size_t begin = (first - batch.first_index) / 3;
+            const std::size_t end = batch.quads.empty() ? begin : begin + count / 3;
+            for (std::size_t t = begin; t < end; ++t) {
+                if (batch.quads[t] == 0) continue;
+                const std::uint32_t* half = &batch.indices[3 * t];
+                if (t + 1 == end || batch.quads[t + 1] != 0 || half[3] != half[0] || half[4] != half[2]) {
+                    throw std::logic_error(fmt::format("triangle {} of a batch is not the first half of a quad", t));
+                }
+                ++t;
+            }
+        });
 }
 
 void BatchCheck::check_finite(const MeshBatch& batch) const {

@@ -57,6 +57,8 @@ GlbHeader::GlbHeader(const std::string& file, const std::string& name, const Mes
         binary_bytes_ = 0;
         return;
     }
+    has_quads_ = totals.has_quads;
+    if (has_quads_) json_["extensionsUsed"] = {"FB_ngon_encoding"};
     place_images(file, used, scene);
     add_buffer_views(totals, scene);
     std::map<std::uint32_t, std::size_t> material_numbers;
@@ -145,7 +147,9 @@ Json GlbHeader::primitive(const MeshPart& part, std::size_t material) {
                                                      {"componentType", component_uint},
                                                      {"count", part.index_count},
                                                      {"type", "SCALAR"}});
-    return {{"attributes", attributes}, {"indices", indices}, {"material", material}};
+    Json json = {{"attributes", attributes}, {"indices", indices}, {"material", material}};
+    if (has_quads_) json["extensions"] = {{"FB_ngon_encoding", Json::object()}};
+    return json;
 }
 
 void GlbHeader::set_bounds(std::size_t part, const std::array<float, 3>& min, const std::array<float, 3>& max) {

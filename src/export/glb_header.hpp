@@ -51,6 +51,7 @@ private:
     std::uint64_t binary_bytes_ = 0;
     std::vector<GlbImage> images_;
     std::vector<std::size_t> position_accessors_;  // per part
+    bool has_quads_ = false;
     Json json_;
 };
 

@@ -45,6 +45,11 @@ std::unique_ptr<MeshWriter> create_mesh_writer(const std::filesystem::path& path
                                                   "program; use .glb, .obj or .ply.",
                                                   path.string(), extension));
     }
+    if (extension == ".ply" && totals.has_quads) {
+        throw Error(ErrorKind::usage, fmt::format("Cannot write '{}': quads go into .obj and .glb files only; write "
+                                                  "triangles, or choose one of those.",
+                                                  path.string()));
+    }
     check_limits(path, totals, materials);
     if (extension == ".glb") return create_glb_writer(path, totals, materials);
     if (extension == ".obj") return create_obj_writer(path, totals, materials);

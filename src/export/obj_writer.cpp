@@ -69,7 +69,9 @@ public:
         }
         for_each_part(check_.totals(), &MeshPart::first_index, &MeshPart::index_count, batch.first_index,
                       batch.indices.size(), [&](std::size_t part, std::uint64_t first, std::uint64_t count) {
-                          put_faces(part, batch.indices.subspan(first - batch.first_index, count));
+                          const std::uint64_t start = first - batch.first_index;
+                          put_faces(part, batch.indices.subspan(start, count),
+                                    batch.quads.empty() ? batch.quads : batch.quads.subspan(start / 3, count / 3));
                       });
     }
 
@@ -87,17 +89,25 @@ private:
         fmt::format_to(std::back_inserter(text_.pending()), format, std::forward<Args>(args)...);
     }
 
-    void put_faces(std::size_t part, std::span<const std::uint32_t> indices) {
+    void put_faces(std::size_t part, std::span<const std::uint32_t> indices, std::span<const std::uint8_t> quads) {
         if (part_ != part) {
             part_ = part;
             const MeshPart& now = check_.totals().parts[part];
             put("o {}\nusemtl {}\n", word(now.name, fmt::format("part_{}", part)), names_[now.material]);
         }
+        const auto put_corner = [this](std::uint32_t index) {
+            const std::uint64_t number = std::uint64_t{index} + 1;
+            put(" {}/{}/{}", number, number, number);
+        };
         for (std::size_t i = 0; i < indices.size(); i += 3) {
-            const std::uint64_t a = std::uint64_t{indices[i]} + 1;
-            const std::uint64_t b = std::uint64_t{indices[i + 1]} + 1;
-            const std::uint64_t c = std::uint64_t{indices[i + 2]} + 1;
-            put("f {}/{}/{} {}/{}/{} {}/{}/{}\n", a, a, a, b, b, b, c, c, c);
+            put("f");
+            for (std::size_t k = 0; k < 3; ++k)
+                put_corner(indices[i + k]);
+            if (!quads.empty() && quads[i / 3] != 0) {
+                i += 3;  // the other half has one more corner, its last
+                put_corner(indices[i + 2]);
+            }
+            put("\n");
             text_.flush_if_large();
         }
     }

@@ -1,6 +1,7 @@
 #include "patches/patches.hpp"
 
 #include "base/error.hpp"
+#include "patches/surface_tags.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -15,19 +16,13 @@ float flush(float x) {
     return std::fabs(x) < tiny ? 0.0f : x;
 }
 
-float largest_coordinate(const std::vector<glm::vec3>& points) {
-    float largest = 0.0f;
-    for (const glm::vec3& p : points) {
-        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    }
-    return largest;
-}
 
 Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];
     const glm::vec2& t = mesh.uvs[i];
-    const auto scaled = [exponent](float x) { return flush(std::scalbn(x, -exponent)); };
+    // A vertex that no face uses may lie far outside; no kernel shall meet an infinity.
+    const auto scaled = [exponent](float x) { return flush(std::clamp(std::scalbn(x, -exponent), -2.0f, 2.0f)); };
     return {{scaled(p.x), scaled(p.y), scaled(p.z)}, {flush(n.x), flush(n.y), flush(n.z)}, {flush(t.x), flush(t.y)}};
 }
 
@@ -35,10 +30,19 @@ Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
 
 int scene_exponent(const scene::Scene& scene) {
     float largest = 0.0f;
-    for (const scene::Mesh& mesh : scene.meshes)
-        largest = std::max(largest, largest_coordinate(mesh.positions));
-    for (const scene::Guides& guides : scene.guides)
-        largest = std::max(largest, largest_coordinate(guides.points));
+    const auto see = [&largest](const glm::vec3& p) {
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    };
+    for (const scene::Mesh& mesh : scene.meshes) {
+        for (const std::vector<std::uint32_t>* indices : {&mesh.triangles, &mesh.quads}) {
+            for (const std::uint32_t i : *indices)
+                see(mesh.positions[i]);
+        }
+    }
+    for (const scene::Guides& guides : scene.guides) {
+        for (const glm::vec3& p : guides.points)
+            see(p);
+    }
     return largest > 0.0f ? std::ilogb(largest) : 0;
 }
 
@@ -79,6 +83,7 @@ PatchSet make_patches(const scene::Scene& scene) {
             set.has_quads = true;
         }
     }
+    add_surface_tags(scene, set);
     return set;
 }
 

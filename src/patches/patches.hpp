@@ -29,14 +29,34 @@ inline bool is_quad(const PatchCorners& corners) {
     return corners[3] != no_corner;
 }
 
+/// What shapes the surface at a control vertex, for the schemes phong and stpn, as the kernels lay it out.
+struct VertexTags {
+    float sharpness = 0.0f;  ///< 0 smooth, 1 sharp
+    float bias = 0.0f;       ///< -1 .. 1: less or more bulge
+    float tension = 0.0f;    ///< -1 .. 1: looser or tighter
+    float alpha = -1.0f;     ///< of Phong tessellation, 0 .. 1; negative: what the job's options say
+    float crease[3]{};       ///< unit, along the crease that runs through the vertex; zero where none does
+    float normal[3]{};       ///< unit where a crease touches the vertex: smooth over all faces at its position
+};
+static_assert(sizeof(VertexTags) == 40);
+
+/// Of a patch's corner, for the scheme stpn, as the kernels lay it out.
+struct CornerTags {
+    float normal[3]{};  ///< unit, split at creases
+    float edge = 0.0f;  ///< sharpness of the edge from this corner to the next: 0 smooth, 1 sharp
+};
+static_assert(sizeof(CornerTags) == 16);
+
 /// Triangle and quad patches over shared control vertices, in the order of the scene's meshes; of each mesh, triangles
 /// before quads.
 struct PatchSet {
     std::vector<Vertex> control_vertices;  ///< positions times 2^-exponent
     std::vector<PatchCorners> corners;     ///< of each patch
     bool has_quads = false;
+    std::vector<VertexTags> vertex_tags;                 ///< of each control vertex, or none at all
+    std::vector<std::array<CornerTags, 4>> corner_tags;  ///< of each patch, or none at all: where there are creases
     std::vector<PatchRange> ranges;
-    /// The largest coordinate of the scene lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
+    /// The largest coordinate of the faces lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
     /// 2^exponent, exactly.
     int exponent = 0;
 
@@ -48,7 +68,8 @@ struct PatchSet {
 int scene_exponent(const scene::Scene& scene);
 
 /// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60
-/// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel.
+/// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel. Vertices that no
+/// face uses do not count; their coordinates are clamped to [-2, 2].
 /// Throws Error(usage) where there is nothing to tessellate or more than 2^32 - 1 control vertices.
 PatchSet make_patches(const scene::Scene& scene);
 

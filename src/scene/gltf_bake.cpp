@@ -91,6 +91,8 @@ void drop_unsound(const Document& document, const SourcePrimitive& source, Mesh&
         mesh.positions[kept] = mesh.positions[v];
         mesh.normals[kept] = mesh.normals[v];
         mesh.uvs[kept] = mesh.uvs[v];
+        if (!mesh.alphas.empty()) mesh.alphas[kept] = mesh.alphas[v];
+        if (!mesh.stpn.empty()) mesh.stpn[kept] = mesh.stpn[v];
         ++kept;
     }
     if (kept == count) return;
@@ -110,6 +112,8 @@ void drop_unsound(const Document& document, const SourcePrimitive& source, Mesh&
     mesh.positions.resize(kept);
     mesh.normals.resize(kept);
     mesh.uvs.resize(kept);
+    if (!mesh.alphas.empty()) mesh.alphas.resize(kept);
+    if (!mesh.stpn.empty()) mesh.stpn.resize(kept);
     mesh.triangles.resize(end);
 }
 
@@ -159,6 +163,8 @@ Mesh bake(const Document& document, const SourcePrimitive& source, const Pose& p
     mesh.positions.resize(count);
     mesh.normals.resize(count, glm::vec3(0.0f));
     mesh.uvs = source.uvs;
+    mesh.alphas = source.alphas;
+    mesh.stpn = source.stpn;
     mesh.triangles = source.triangles;
     std::size_t mirrored = 0;
     for (std::size_t v = 0; v < count; ++v) {

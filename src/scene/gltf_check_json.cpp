@@ -193,6 +193,7 @@ CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics)
         if (!mesh.has("primitives")) mesh.refuse("primitives", "is missing");
         mesh.objects("primitives", [&](JsonObject& primitive) { check_primitive(primitive, sizes, has_view); });
         mesh.numbers("weights", 0);
+        mesh.extra_number("alpha");
     });
     root.objects("nodes", [&](JsonObject& node) { check_node(node, sizes); });
     root.objects("samplers", [&](JsonObject& sampler) {

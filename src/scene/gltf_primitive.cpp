@@ -3,6 +3,7 @@
 #include "scene/gltf_accessor.hpp"
 #include "scene/gltf_guides.hpp"
 #include "scene/gltf_materials.hpp"
+#include "scene/gltf_shape_tags.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -186,6 +187,7 @@ SourcePrimitive read_primitive(const Document& document, std::size_t mesh, std::
             document.model.accessors[static_cast<std::size_t>(normal)].componentType != TINYGLTF_COMPONENT_TYPE_FLOAT;
     }
     if (out.guide_ends.empty()) read_uvs(document, out);  // hair has its own: across and along
+    read_shape_tags(document, document.model.meshes[mesh], out);
     read_influences(document, out);
     if (attribute(*out.primitive, "COLOR_0") >= 0) {
         document.diagnostics.note(fmt::format("{}: its vertex colours are ignored.", out.element));

@@ -18,6 +18,8 @@ struct SourcePrimitive {
     std::vector<glm::vec3> normals;        ///< empty where the file has none
     bool quantized_normals = false;        ///< integers in the file: not of unit length by nature
     std::vector<glm::vec2> uvs;            ///< one per position, as the material's texture wants them
+    std::vector<float> alphas;             ///< as Mesh::alphas
+    std::vector<glm::vec3> stpn;           ///< as Mesh::stpn
     std::vector<std::uint32_t> triangles;  ///< all < positions.size(), no index twice in a triangle
     std::vector<std::uint32_t>
         guide_points;                       ///< of lines: the curves' points one after another, all < positions.size()

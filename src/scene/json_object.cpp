@@ -194,6 +194,13 @@ void JsonObject::boolean(const char* key) {
     to_[key] = *value;
 }
 
+void JsonObject::extra_number(const char* key) {
+    const auto extras = from_.find("extras");
+    if (extras == from_.end() || !extras->is_object()) return;
+    const auto value = extras->find(key);
+    if (value != extras->end() && value->is_number()) to_["extras"][key] = *value;
+}
+
 std::optional<std::string> JsonObject::string(const char* key, Need need) {
     const json* value = find(key, need);
     if (value == nullptr) return std::nullopt;

@@ -48,6 +48,8 @@ public:
     /// `count` numbers, or any number of them if it is 0.
     void numbers(const char* key, std::size_t count);
     void boolean(const char* key);
+    /// A number in the application's own `extras`, which may hold anything: what is no number is passed over.
+    void extra_number(const char* key);
     std::optional<std::string> string(const char* key, Need need = Need::optional);
     std::vector<std::string> strings(const char* key);
 

@@ -11,6 +11,7 @@
 #include "scene/json_object.hpp"
 #include "scene/limits.hpp"
 #include "scene/normals.hpp"
+#include "scene/topology.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -89,6 +90,13 @@ public:
             add_node(node);
     }
 
+    /// What was found about all meshes together.
+    void note_topology() const {
+        note_unused_vertices(unused_, document_.diagnostics);
+        note_crowded_edges(crowded_, document_.diagnostics);
+        note_flat_faces(flat_, document_.diagnostics);
+    }
+
     /// True if a primitive had triangles, but none whose positions are finite.
     bool lost_a_primitive() const { return unsound_; }
 
@@ -147,12 +155,16 @@ private:
                 unsound_ = true;
                 continue;
             }
+            unused_ += count_unused_vertices(baked);
             baked.name = name_of(node, mesh, source);
             if (has_ngon_encoding(*source.primitive)) restore_quads(baked);
             baked.material = material_of(source);
             scene_.meshes.push_back(std::move(baked));
         }
-        complete_normals(std::span(scene_.meshes).subspan(first));
+        const std::span own = std::span(scene_.meshes).subspan(first);
+        complete_normals(own);
+        crowded_ += count_crowded_edges(own);
+        flat_ += count_flat_faces(own);
         std::erase_if(scene_.guides, [](const Guides& guides) { return guides.ends.empty(); });
     }
 
@@ -203,6 +215,7 @@ private:
     std::map<std::uint32_t, std::uint32_t> double_sided_;  // copies made
     Budget vertices_{"vertices", max_vertices};
     Budget triangles_{"triangles", max_triangles};
+    std::size_t unused_ = 0, crowded_ = 0, flat_ = 0;
     bool unsound_ = false;
 };
 
@@ -227,6 +240,7 @@ Scene load_gltf(const std::filesystem::path& path) {
     load_materials(document, scene);
     Assembly assembly(document, graph, scene);
     assembly.add_nodes();
+    assembly.note_topology();
     if (scene.meshes.empty() && scene.guides.empty() && assembly.lost_a_primitive()) {
         diagnostics.refuse("the file", "has no triangle whose positions are all finite");
     }

@@ -6,6 +6,7 @@
 #include "scene/obj_meshes.hpp"
 #include "scene/obj_read.hpp"
 #include "scene/obj_text.hpp"
+#include "scene/topology.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -57,6 +58,7 @@ Scene load_obj(const std::filesystem::path& path, const LoadOptions& options) {
     scene.source = path.string();
     const auto materials = load_obj_materials(text.libraries, polygons.parts, path.parent_path(), scene, diagnostics);
     scene.meshes = make_meshes(polygons, materials, diagnostics);
+    note_flat_faces(count_flat_faces(scene.meshes), diagnostics);
     if (scene.meshes.empty()) diagnostics.note("The file holds no faces to draw.");
     scene.messages = diagnostics.take_messages();
     return scene;

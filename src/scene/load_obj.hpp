@@ -17,7 +17,7 @@ namespace tessera::scene {
 /// - v is turned round (1 - v): OBJ's origin is the texture's lower left corner, glTF's and ours the upper left one.
 /// - Left out, counted in messages: faces of fewer than three different corners, faces with a coordinate that is no
 ///   finite number, holes (tags), positions that no face uses, lines and points, statements of free-form surfaces.
-///   Edges of more than two faces stay.
+///   Edges of more than two faces and faces without area stay, counted in messages.
 /// - Pixar's tags become Mesh::tags. A crease that belongs to two meshes is in both. If faces are split, a crease
 /// becomes
 ///   two of the same sharpness.

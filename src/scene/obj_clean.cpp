@@ -1,4 +1,5 @@
 #include "scene/obj_read.hpp"
+#include "scene/topology.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -112,10 +113,7 @@ void note_topology(const Polygons& polygons, Diagnostics& diagnostics) {
     }
     const auto crowded = std::count_if(uses.begin(), uses.end(), [](const auto& edge) { return edge.second > 2; });
     const auto unused = std::count(used.begin(), used.end(), false);
-    if (crowded > 0) {
-        diagnostics.note(
-            fmt::format("{} edges are used by more than two faces (the surface is not a manifold there).", crowded));
-    }
+    note_crowded_edges(static_cast<std::size_t>(crowded), diagnostics);
     if (unused > 0) diagnostics.note(fmt::format("{} positions are used by no face and are left out.", unused));
 }
 

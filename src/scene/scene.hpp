@@ -65,6 +65,10 @@ struct Mesh {
     std::vector<std::uint32_t> triangles;  ///< three indices per triangle, all < positions.size()
     std::vector<std::uint32_t> quads;      ///< four indices per quad, all < positions.size(); none from triangle files
     std::uint32_t material = 0;            ///< index into Scene::materials
+    /// Shape factors of Phong tessellation in [0, 1]: one per position, or none at all.
+    std::vector<float> alphas;
+    /// Tags of scalar tagged PN triangles, sharpness in [0, 1], bias and tension in [-1, 1]: one per position, or none.
+    std::vector<glm::vec3> stpn;
     SubdivisionTags tags;
 };
 
@@ -115,9 +119,16 @@ struct LoadOptions {
 ///
 /// glTF: nodes are baked into world space in double precision; skins and morph targets are taken in the file's rest
 /// pose. Triangles that FB_ngon_encoding marks as two halves of a quad become a quad. Normals that the file gives are
-/// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position. Line
-/// strips, and lines whose segments follow one another, are guide curves of hair; their full width is the attribute
-/// _WIDTH (a float each, in the mesh's units), and their normals, where given, shade the hair.
+/// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position. Left
+/// out, counted in messages: triangles that name a vertex twice or have a position that is not finite. Kept, and
+/// counted: triangles without area, edges of more than two faces of a node, vertices that no triangle uses. Line strips,
+/// and lines whose segments follow one another, are guide curves of hair; their full width is the attribute _WIDTH (a
+/// float each, in the mesh's units), and their normals, where given, shade the hair.
+///
+/// Attributes that shape the surface: `_ALPHA` (SCALAR) is Phong tessellation's alpha of each vertex, `_STPN` (VEC3)
+/// sharpness, bias and tension of scalar tagged PN triangles; floats, or integers that are normalised or not. A number
+/// `alpha` in the `extras` of a glTF mesh holds for those of its primitives that have no `_ALPHA`. Values out of range
+/// are clamped, values that are not finite become zero, and messages count them.
 ///
 /// OBJ: see load_obj.hpp for the rules.
 ///

@@ -23,6 +23,40 @@ constexpr std::array<std::string_view, stage_count> stage_names{"factors", "cont
                                                                 "scan",    "vertices",     "indices"};
 constexpr std::array<std::string_view, 3> degree_names{"linear", "quadratic", "cubic"};
 
+static_assert(sizeof(patches::VertexTags) == VERTEX_TAG_FLOATS * sizeof(float));
+static_assert(sizeof(patches::CornerTags) == CORNER_TAG_FLOATS * sizeof(float));
+
+/// How many tags the scheme reads: of each control vertex, or one for all; none where it reads none.
+std::size_t vertex_tag_count(const patches::PatchSet& patches, const TessellationOptions& options) {
+    if (options.scheme != Scheme::phong && options.scheme != Scheme::stpn) return 0;
+    return std::max<std::size_t>(patches.vertex_tags.size(), 1);
+}
+
+std::vector<patches::VertexTags> vertex_tags(const patches::PatchSet& patches, const TessellationOptions& options) {
+    std::vector<patches::VertexTags> tags = patches.vertex_tags;
+    tags.resize(vertex_tag_count(patches, options));
+    // An alpha under 2^-24 changes nothing but could make denormals.
+    const float alpha = options.alpha < 0x1p-24f ? 0.0f : options.alpha;
+    for (patches::VertexTags& t : tags)
+        t.alpha = t.alpha < 0.0f ? alpha : t.alpha;
+    return tags;
+}
+
+/// Bytes that a job holds besides what belongs to a chunk.
+std::uint64_t shared_bytes(const patches::PatchSet& patches, const TessellationOptions& options) {
+    return patches.control_vertices.size() * sizeof(Vertex) +
+           vertex_tag_count(patches, options) * sizeof(patches::VertexTags);
+}
+
+/// The corner tags of a patch of a model that has no creases.
+std::array<patches::CornerTags, PATCH_CORNERS> smooth_corners(const patches::PatchSet& patches, std::uint64_t patch) {
+    std::array<patches::CornerTags, PATCH_CORNERS> tags{};
+    const patches::PatchCorners& corners = patches.corners[patch];
+    for (std::size_t k = 0; k < (patches::is_quad(corners) ? 4u : 3u); ++k)
+        std::ranges::copy(patches.control_vertices[corners[k]].normal, tags[k].normal);
+    return tags;
+}
+
 void check(const patches::PatchSet& patches, const TessellationOptions& options, const gpu::Limits& limits) {
     if (const auto* factors = std::get_if<std::vector<PatchFactors>>(&options.factors);
         factors != nullptr && factors->size() != patches.patch_count()) {
@@ -34,7 +68,21 @@ void check(const patches::PatchSet& patches, const TessellationOptions& options,
         throw Error(ErrorKind::usage,
                     fmt::format("The shape factor alpha is {}; it must lie in [0, 1].", options.alpha));
     }
-    const std::uint64_t bytes = patches.control_vertices.size() * sizeof(Vertex);
+    if (!patches.vertex_tags.empty() && patches.vertex_tags.size() != patches.control_vertices.size()) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("There are tags of {} vertices for {} control vertices; give none, or "
+                                "one per vertex.",
+                                patches.vertex_tags.size(), patches.control_vertices.size()));
+    }
+    if (!patches.corner_tags.empty() && patches.corner_tags.size() != patches.patch_count()) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("There are corner tags of {} patches for {} patches; give none, or one "
+                                "set per patch.",
+                                patches.corner_tags.size(), patches.patch_count()));
+    }
+    const std::uint64_t bytes =
+        std::max<std::uint64_t>(patches.control_vertices.size() * sizeof(Vertex),
+                                vertex_tag_count(patches, options) * sizeof(patches::VertexTags));
     if (bytes > limits.max_storage_binding_size) {
         throw Error(ErrorKind::usage,
                     fmt::format("The model has {} control vertices ({} bytes), more than one binding "
@@ -78,7 +126,8 @@ struct Job::State {
     gpu::Buffer patch_corners, patch_list;
     PatchCounter counter;
     StageClock clock;
-    gpu::Buffer control_vertices, nets, vertices, indices;
+    gpu::Buffer control_vertices, vertex_tag_buffer, corner_tag_buffer, nets, vertices, indices;
+    std::uint32_t tag_stride = 0;
     std::array<DomainStages, 2> domains;  // triangles, quads
     std::size_t current_chunk = 0;
     std::vector<PatchOffset> offsets;
@@ -90,7 +139,7 @@ struct Job::State {
         : device(std::move(d)),
           patches(p),
           options(o),
-          plan(plan_job(p.patch_count(), p.has_quads, p.control_vertices.size() * sizeof(Vertex), o, limits)),
+          plan(plan_job(p.patch_count(), p.has_quads, shared_bytes(p, o), o, limits)),
           parameters(device, PatchCounter::parameter_slots + 1),
           patch_corners(storage("patch corners", std::uint64_t{plan.largest_chunk} * PATCH_CORNERS * 4)),
           patch_list(storage("patch list", std::uint64_t{plan.largest_chunk} * 4)),
@@ -115,13 +164,26 @@ struct Job::State {
     void create_chunk_buffers() {
         control_vertices = storage("control vertices", patches.control_vertices.size() * sizeof(Vertex));
         nets = storage("control nets", std::uint64_t{plan.largest_chunk} * stride() * 4);
+        std::vector<gpu::Buffer> bindings{control_vertices, patch_corners, patch_list};
+        if (const auto tags = vertex_tags(patches, options); !tags.empty()) {
+            tag_stride = tags.size() == 1 ? 0 : VERTEX_TAG_FLOATS;
+            vertex_tag_buffer = storage("vertex tags", tags.size() * sizeof(patches::VertexTags));
+            device.queue().write_buffer(vertex_tag_buffer, 0, std::as_bytes(std::span(tags)));
+            bindings.push_back(vertex_tag_buffer);
+        }
+        if (options.scheme == Scheme::stpn) {
+            corner_tag_buffer =
+                storage("corner tags", std::uint64_t{plan.largest_chunk} * PATCH_CORNERS * sizeof(patches::CornerTags));
+            bindings.push_back(corner_tag_buffer);
+        }
+        bindings.push_back(nets);
         domains[1].domain = Domain::quad;
         // Nets for true normals carry the corners' own for where the surface has none.
         const auto net_normals = name(options.normals == Normals::quadratic ? Normals::quadratic : Normals::linear);
         for_used_domains([&](DomainStages& d) {
             d.nets =
                 Stage(device, fmt::format("control_net_{}_{}_{}", name(options.scheme), net_normals, name(d.domain)),
-                      {control_vertices, patch_corners, patch_list, nets}, parameters);
+                      bindings, parameters);
             d.pattern = make_shared_pattern(device, d.domain, options, patches.patch_count());
         });
         device.queue().write_buffer(control_vertices, 0, std::as_bytes(std::span(patches.control_vertices)));
@@ -131,6 +193,7 @@ struct Job::State {
     void upload_chunk(const Chunk& chunk) {
         const std::span corners = std::span(patches.corners).subspan(chunk.first_patch, chunk.patch_count);
         device.queue().write_buffer(patch_corners, 0, std::as_bytes(corners));
+        if (corner_tag_buffer) upload_corner_tags(chunk);
         for (DomainStages& d : domains) {
             d.patches.clear();
         }
@@ -145,6 +208,18 @@ struct Job::State {
             }
             start += static_cast<std::uint32_t>(d.patches.size());
         }
+    }
+
+    void upload_corner_tags(const Chunk& chunk) {
+        if (!patches.corner_tags.empty()) {
+            const std::span tags = std::span(patches.corner_tags).subspan(chunk.first_patch, chunk.patch_count);
+            device.queue().write_buffer(corner_tag_buffer, 0, std::as_bytes(tags));
+            return;
+        }
+        std::vector<std::array<patches::CornerTags, PATCH_CORNERS>> tags(chunk.patch_count);
+        for (std::uint32_t i = 0; i < chunk.patch_count; ++i)
+            tags[i] = smooth_corners(patches, chunk.first_patch + i);
+        device.queue().write_buffer(corner_tag_buffer, 0, std::as_bytes(std::span(tags)));
     }
 
     void fill(gpu::CommandEncoder& encoder, std::initializer_list<gpu::Buffer> outputs) const {
@@ -164,11 +239,11 @@ struct Job::State {
         if (vertex_bytes > (vertices ? vertices.size() : 0)) {
             if (vertices) vertices.destroy();
             vertices = storage("vertices", vertex_bytes);
-            const auto degree = degree_names[static_cast<std::size_t>(options.scheme)];
+            const auto degree_name = degree_names[degree(options.scheme) - 1];
             for_used_domains([&](DomainStages& d) {
                 d.vertices = Stage(device,
-                                   fmt::format("vertices_{}_{}_{}{}", degree, name(options.normals), name(d.domain),
-                                               d.has_pattern() ? "_shared" : ""),
+                                   fmt::format("vertices_{}_{}_{}{}", degree_name, name(options.normals),
+                                               name(d.domain), d.has_pattern() ? "_shared" : ""),
                                    {nets, d.has_pattern() ? d.pattern.points : counter.records(), counter.offsets(),
                                     patch_list, vertices},
                                    parameters);
@@ -240,6 +315,10 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
     return s.offsets;
 }
 
+const std::vector<PatchOffset>& Job::offsets() const {
+    return state_->offsets;
+}
+
 const std::vector<Batch>& Job::prepare() {
     State& s = *state_;
     const Chunk& chunk = s.plan.chunks[s.current_chunk];
@@ -251,7 +330,7 @@ const std::vector<Batch>& Job::prepare() {
     for (const DomainStages& d : s.domains) {
         const auto [first, count] = d.entries(0, chunk.patch_count);
         if (count == 0) continue;
-        const kernels::ControlNetsParams params{first, count, s.stride(), s.options.alpha};
+        const kernels::ControlNetsParams params{first, count, s.stride(), s.tag_stride};
         d.nets.record(pass, s.parameters.push(params), count);
     }
     pass.end();
@@ -319,8 +398,8 @@ const StageTimes& Job::times() {
 std::uint64_t Job::device_bytes() const {
     const State& s = *state_;
     std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes();
-    for (const gpu::Buffer* buffer :
-         {&s.control_vertices, &s.patch_corners, &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
+    for (const gpu::Buffer* buffer : {&s.control_vertices, &s.vertex_tag_buffer, &s.corner_tag_buffer, &s.patch_corners,
+                                      &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
         bytes += *buffer ? buffer->size() : 0;
     }
     for (const DomainStages& d : s.domains) {

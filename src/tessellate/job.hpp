@@ -48,6 +48,8 @@ public:
     const Chunk& chunk(std::size_t index) const;
     /// Runs factors, counts and scan of a chunk and returns its offsets: one per patch and the totals.
     const std::vector<PatchOffset>& count(std::size_t chunk);
+    /// The offsets of the chunk counted last.
+    const std::vector<PatchOffset>& offsets() const;
     /// Runs the control nets of the chunk counted last, and cuts it into batches.
     const std::vector<Batch>& prepare();
     /// Emits one batch of that chunk. `vertex_base` is added to every index.

@@ -18,6 +18,7 @@ enum class Scheme {
     linear,  ///< flat
     phong,   ///< Phong tessellation, Boubekeur and Alexa 2008: quadratic
     pn,      ///< PN triangles, Vlachos et al. 2001: cubic
+    stpn,    ///< scalar tagged PN triangles, after Boubekeur, Reuter, Schlick 2005: cubic, with creases
 };
 
 /// How normals vary over a patch.
@@ -40,6 +41,12 @@ enum class Partitioning : std::uint32_t {
 /// U=1, V=1, inside U, inside V; isolines density (lines), detail (segments).
 using PatchFactors = std::array<float, 6>;
 
+/// What faces a tessellator hands on.
+enum class Topology {
+    triangles,
+    quads,  ///< where a quad patch's pattern is a regular grid, its cells are marked as quads
+};
+
 struct TessellationOptions {
     Scheme scheme = Scheme::pn;
     Normals normals = Normals::quadratic;
@@ -47,10 +54,15 @@ struct TessellationOptions {
     /// One set for every patch, or one per patch. Any float is allowed: factors are clamped to [1, 64] and a patch with
     /// an outer factor that is not positive is culled, as the fixed-function stage does.
     std::variant<PatchFactors, std::vector<PatchFactors>> factors = PatchFactors{4, 4, 4, 4, 4, 4};
-    float alpha = 0.75f;  ///< shape factor of Phong tessellation in [0, 1]: 0 flat, 1 full
+    /// Shape factor of Phong tessellation in [0, 1]: 0 flat, 1 full; for control vertices that have none of their own.
+    float alpha = 0.75f;
+    Topology topology = Topology::triangles;
     /// Bytes of device memory a job may take; outputs larger than that are made in batches.
     std::uint64_t memory_budget = 512ull << 20;
 };
+
+/// The degree of a scheme's patches, 1 to 3.
+std::uint32_t degree(Scheme scheme);
 
 /// Names as the command line has them ("pn", "fractional_odd", ...). The parsing functions throw Error(usage) with
 /// the list of names.
@@ -58,9 +70,11 @@ std::string_view name(Domain domain);
 std::string_view name(Scheme scheme);
 std::string_view name(Normals normals);
 std::string_view name(Partitioning partitioning);
+std::string_view name(Topology topology);
 Domain domain_from_name(std::string_view name);
 Scheme scheme_from_name(std::string_view name);
 Normals normals_from_name(std::string_view name);
 Partitioning partitioning_from_name(std::string_view name);
+Topology topology_from_name(std::string_view name);
 
 }  // namespace tessera

@@ -13,24 +13,25 @@ namespace {
 constexpr std::uint64_t largest_patch_vertices = 4225;
 constexpr std::uint64_t largest_patch_indices = 3 * 8192;
 
-// Bytes per patch held while a chunk is worked on: patch indices, list entry, factors, record, counts, offsets, net.
-// The scan's upper levels add less than a hundredth.
-std::uint64_t chunk_bytes_per_patch(std::uint64_t net_bytes) {
-    return (PATCH_CORNERS + 1 + PATCH_FACTORS + RECORD_WORDS + 2 * COUNT_WORDS) * 4 + 1 + net_bytes;
+// Bytes per patch held while a chunk is worked on: patch indices, list entry, factors, record, counts, offsets, net,
+// corner tags where the scheme has any. The scan's upper levels add less than a hundredth.
+std::uint64_t chunk_bytes_per_patch(const TessellationOptions& options, std::uint64_t net_bytes) {
+    const std::uint64_t tags = options.scheme == Scheme::stpn ? PATCH_CORNERS * CORNER_TAG_FLOATS : 0;
+    return (PATCH_CORNERS + 1 + PATCH_FACTORS + RECORD_WORDS + 2 * COUNT_WORDS + tags) * 4 + 1 + net_bytes;
 }
 
 }  // namespace
 
 std::uint32_t net_stride(const TessellationOptions& options, bool has_quads) {
-    const std::uint32_t degree = static_cast<std::uint32_t>(options.scheme) + 1u;
+    const std::uint32_t points_degree = degree(options.scheme);
     const std::uint32_t normal_degree = options.normals == Normals::quadratic ? 2u : 1u;
-    return has_quads ? QUAD_NET_FLOATS(degree, normal_degree) : NET_FLOATS(degree, normal_degree);
+    return has_quads ? QUAD_NET_FLOATS(points_degree, normal_degree) : NET_FLOATS(points_degree, normal_degree);
 }
 
 JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes,
                  const TessellationOptions& options, const gpu::Limits& limits) {
     const std::uint64_t net_bytes = std::uint64_t{net_stride(options, has_quads)} * 4;
-    const std::uint64_t per_patch = chunk_bytes_per_patch(net_bytes);
+    const std::uint64_t per_patch = chunk_bytes_per_patch(options, net_bytes);
     constexpr std::uint64_t small_buffers = 64 << 10;  // kernel parameters, query results
     constexpr std::uint64_t patch_vertex_bytes = largest_patch_vertices * sizeof(Vertex);
     constexpr std::uint64_t patch_index_bytes = largest_patch_indices * 4;

@@ -23,6 +23,7 @@ struct MeshTotals {
     std::uint64_t vertex_count = 0;
     std::uint64_t index_count = 0;
     std::vector<MeshPart> parts;
+    bool has_quads = false;  ///< whether batches mark quads
 };
 
 /// A piece of the output. Batches come in order; vertices and indices continue those of the batch before. Indices are
@@ -33,6 +34,9 @@ struct MeshBatch {
     std::uint64_t first_index = 0;
     std::span<const Vertex> vertices;
     std::span<const std::uint32_t> indices;
+    /// Empty, or one element per triangle: 1 where this triangle (a, b, c) and the next, (a, c, d), are the halves of a
+    /// quad. Neighbouring faces then begin with different corners.
+    std::span<const std::uint8_t> quads{};
 };
 
 /// Receives batches; what writers and rasterisers implement.

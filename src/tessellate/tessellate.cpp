@@ -1,6 +1,8 @@
 #include "tessellate/tessellate.hpp"
 
 #include "base/error.hpp"
+#include "layout.h"
+#include "tessellate/quad_faces.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -42,6 +44,19 @@ void scale_to_model(std::vector<Vertex>& vertices, int exponent) {
     }
 }
 
+/// Marks the quads of a batch whose first vertex has the index `first_vertex`.
+void mark_batch(const Batch& batch, const std::vector<PatchOffset>& offsets, std::span<const std::uint32_t> records,
+                std::uint32_t first_vertex, std::span<std::uint32_t> indices, std::vector<std::uint8_t>& quads) {
+    quads.assign(indices.size() / 3, 0);
+    for (std::size_t p = batch.first_patch; p < std::size_t{batch.first_patch} + batch.patch_count; ++p) {
+        const std::size_t start = offsets[p].index - batch.first_index;
+        const std::size_t count = offsets[p + 1].index - offsets[p].index;
+        mark_quads(RecordView(records.subspan(p * RECORD_WORDS, RECORD_WORDS)),
+                   first_vertex + (offsets[p].vertex - batch.first_vertex), indices.subspan(start, count),
+                   std::span(quads).subspan(start / 3, count / 3));
+    }
+}
+
 }  // namespace
 
 Tessellator::Tessellator(const gpu::Device& device, const patches::PatchSet& patches,
@@ -55,6 +70,16 @@ Tessellator::Tessellator(const gpu::Device& device, const patches::PatchSet& pat
         counted_chunk_ = i;
     }
     place_parts(totals_);
+    marks_quads_ = options.topology == Topology::quads;
+    totals_.has_quads = marks_quads_;
+}
+
+std::vector<std::uint32_t> Tessellator::read_records() {
+    const StageView view = job_.prepared_views().front();
+    assert(view.stage == StageId::factors);
+    std::vector<std::uint32_t> records(view.bytes / 4);
+    device_.queue().read_buffer(view.buffer, 0, std::as_writable_bytes(std::span(records)));
+    return records;
 }
 
 void Tessellator::run(MeshSink& sink, Space space, const std::function<void(double)>& progress) {
@@ -64,7 +89,8 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
                                                   totals_.vertex_count));
     }
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> indices, records;
+    std::vector<std::uint8_t> quads;
     std::uint64_t first_vertex = 0;
     std::uint64_t first_index = 0;
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
@@ -72,6 +98,7 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
             job_.count(i);
             counted_chunk_ = i;
         }
+        if (marks_quads_) records = read_records();
         for (const Batch& batch : job_.prepare()) {
             job_.emit(batch, static_cast<std::uint32_t>(first_vertex));
             const std::vector<StageView> views = job_.emitted_views();
@@ -82,7 +109,10 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
             if (space == Space::model) {
                 scale_to_model(vertices, patches_.exponent);
             }
-            sink.append({first_vertex, first_index, vertices, indices});
+            if (marks_quads_) {
+                mark_batch(batch, job_.offsets(), records, static_cast<std::uint32_t>(first_vertex), indices, quads);
+            }
+            sink.append({first_vertex, first_index, vertices, indices, quads});
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;
             if (progress) {

@@ -36,7 +36,10 @@ private:
     gpu::Device device_;
     const patches::PatchSet& patches_;
     Job job_;
+    std::vector<std::uint32_t> read_records();
+
     MeshTotals totals_;
+    bool marks_quads_ = false;
     std::size_t counted_chunk_ = 0;  // whose counts are on the device now
 };
 

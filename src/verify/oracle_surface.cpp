@@ -145,6 +145,13 @@ SurfaceComparison compare_surface(FixedFunctionTessellator& stage, const gpu::De
                     "The fixed-function stage is asked for linear and quadratic normals only; compare true normals "
                     "between devices with `tessera verify` instead.");
     }
+    if (options.scheme == Scheme::stpn || (options.scheme == Scheme::phong && !patches.vertex_tags.empty())) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("The fixed-function stage knows no tags of vertices, which {} of this model uses; compare "
+                        "its devices with `tessera verify` instead.",
+                        name(options.scheme)));
+    }
     const CapturedSurface surface{options.scheme, options.normals, options.alpha};
     SurfaceComparison result;
     for (std::size_t first = 0; first < patches.patch_count(); first += patches_per_run) {

@@ -18,7 +18,7 @@ struct Sample {
 
 Sample evaluate(const Corners& c, Barycentric b) {
     const PnNet pn = pn_net(c);
-    const PhongNet phong = phong_net(c, 0.75f);
+    const PhongNet phong = phong_net(c, 0.75f, 0.75f, 0.75f);
     const auto flush = [](Vector v) { return flush_vector(v); };
     return {
         flush(evaluate_cubic(cubic_weights(b), pn.c0, pn.c1, pn.c2, pn.c01, pn.c10, pn.c12, pn.c21, pn.c20, pn.c02,

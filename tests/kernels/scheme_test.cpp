@@ -23,7 +23,7 @@ Vector pn_position(const Corners& corners, Barycentric b) {
 }
 
 Vector phong_position(const Corners& corners, float alpha, Barycentric b) {
-    const PhongNet n = phong_net(corners, alpha);
+    const PhongNet n = phong_net(corners, alpha, alpha, alpha);
     return evaluate_quadratic(quadratic_weights(b, 2.0f), n.c0, n.c1, n.c2, n.c01, n.c12, n.c20);
 }
 

@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace tessera::patches {
@@ -40,6 +41,19 @@ float largest_coordinate(const PatchSet& set) {
         }
     }
     return largest;
+}
+
+TEST(Patches, StrayVerticesDoNotScaleTheModel) {
+    scene::Mesh mesh = triangle(1.5f);
+    const PatchSet expected = make_patches(scene_of({mesh}));
+    mesh.positions.push_back({1e38f, -1e38f, 1e-38f});
+    mesh.normals.push_back({0.0f, 0.0f, 1.0f});
+    mesh.uvs.push_back({0.0f, 0.0f});
+    const PatchSet set = make_patches(scene_of({mesh}));
+    EXPECT_EQ(set.exponent, expected.exponent);
+    EXPECT_EQ(std::memcmp(set.control_vertices.data(), expected.control_vertices.data(), 3 * sizeof(Vertex)), 0);
+    EXPECT_EQ(set.control_vertices[3].position[0], 2.0f);
+    EXPECT_EQ(set.control_vertices[3].position[1], -2.0f);
 }
 
 TEST(Patches, ScaleTheLargestCoordinateIntoOneToTwo) {

@@ -32,7 +32,7 @@ TEST_P(Jobs, WriteEveryElementOfEveryStage) {
     const patches::PatchSet set = test::load_patches("shape:sphere:6");
     for (const Partitioning partitioning :
          {Partitioning::integer, Partitioning::fractional_odd, Partitioning::uniform}) {
-        for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+        for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
             for (const Normals normals : {Normals::linear, Normals::quadratic, Normals::surface}) {
                 TessellationOptions options;
                 options.scheme = scheme;
@@ -125,7 +125,7 @@ TEST(JobOptions, TooManyControlVerticesForABindingAreRefused) {
 }
 
 TEST(Names, RoundTrip) {
-    for (const Scheme s : {Scheme::linear, Scheme::phong, Scheme::pn})
+    for (const Scheme s : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn})
         EXPECT_EQ(scheme_from_name(name(s)), s);
     for (const Normals n : {Normals::linear, Normals::quadratic, Normals::surface})
         EXPECT_EQ(normals_from_name(name(n)), n);

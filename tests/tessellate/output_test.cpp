@@ -113,7 +113,7 @@ TEST(Output, TinyMagnitudesAreZero) {
                             {{0.0f, -0x1p-60f, 0.5f}, {0, 0, 1}, {0, 0}}};
     set.corners = {{0, 1, 2, patches::no_corner}};
     set.ranges.push_back({"patch", 0, 0, 1});
-    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
         TessellationOptions options;
         options.scheme = scheme;
         options.factors = PatchFactors{9, 9, 9, 9, 0, 0};

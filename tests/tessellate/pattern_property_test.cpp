@@ -1,16 +1,17 @@
 // The invariants of the triangle domain over random factors and every combination of those at which something changes.
 #include "support/devices.hpp"
+#include "tessellate/factor_generators.hpp"
 #include "tessellate/pattern_checks.hpp"
 
 #include <rapidcheck/gtest.h>
 
-#include <bit>
 #include <random>
 
 namespace tessera {
 namespace {
 
 using test::check_triangle_pattern;
+using test::random_factor;
 
 constexpr Partitioning partitionings[] = {Partitioning::integer, Partitioning::pow2, Partitioning::fractional_odd,
                                           Partitioning::fractional_even, Partitioning::uniform};
@@ -47,28 +48,6 @@ std::vector<PatchFactors> combinations(const std::vector<float>& values) {
                 for (const float inside : values)
                     factors.push_back({a, b, c, inside, 0, 0});
     return factors;
-}
-
-/// The float that lies so many steps above (or below) x.
-float steps_from(float x, int steps) {
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(steps));
-}
-
-/// Factors of every kind: integers, fractions, values just beside an integer, values outside the range.
-float random_factor(std::mt19937& random) {
-    const float whole = static_cast<float>(1 + random() % 64);
-    switch (random() % 6) {
-        case 0:
-            return whole;
-        case 1:
-            return steps_from(whole, static_cast<int>(random() % 700u));
-        case 2:
-            return steps_from(whole, -static_cast<int>(random() % 700u));
-        case 3:
-            return 1e-3f * static_cast<float>(1 + random() % 100000);
-        default:
-            return std::uniform_real_distribution<float>(1.0f, 64.0f)(random);
-    }
 }
 
 std::vector<PatchFactors> random_factors(std::uint32_t seed, std::size_t count) {

@@ -46,7 +46,7 @@ TEST(PlanJob, TheLeastBudgetNamedWorksAndOneByteLessDoesNot) {
 RC_GTEST_PROP(PlanJob, ChunksCoverEveryPatchWithinTheLimits, ()) {
     const auto patch_count = *rc::gen::inRange<std::uint64_t>(1, 3'000'000);
     const auto shared = *rc::gen::inRange<std::uint64_t>(0, 50'000'000);
-    const auto scheme = *rc::gen::element(Scheme::linear, Scheme::phong, Scheme::pn);
+    const auto scheme = *rc::gen::element(Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn);
     gpu::Limits limits;
     limits.max_storage_binding_size = *rc::gen::inRange<std::uint64_t>(1 << 20, 1 << 30);
     const auto has_quads = *rc::gen::arbitrary<bool>();

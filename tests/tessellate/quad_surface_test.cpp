@@ -56,7 +56,7 @@ patches::PatchSet quad_torus(bool mixed) {
 
 template <typename Body>
 void for_every_variant(Body&& body) {
-    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
         for (const Normals normals : {Normals::linear, Normals::quadratic, Normals::surface}) {
             for (const Partitioning partitioning : {Partitioning::integer, Partitioning::fractional_odd,
                                                     Partitioning::fractional_even, Partitioning::uniform}) {
@@ -198,7 +198,7 @@ TEST(QuadSurface, PnIsTheCoonsPatchOfItsEdges) {
 }
 
 TEST(QuadSurface, CornersAreKeptExactly) {
-    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
         const OneQuad quad = evaluate(bent, leaning, scheme);
         std::size_t corners = 0;
         for (std::size_t i = 0; i < quad.points.size(); ++i) {

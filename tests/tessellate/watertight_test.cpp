@@ -32,7 +32,7 @@ void expect_watertight(const std::string& model, float greatest, bool every_vari
     SCOPED_TRACE(model);
     const patches::PatchSet set = test::load_patches(model);
     ASSERT_TRUE(test::closed_and_smooth(set));
-    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
         for (const Normals normals : {Normals::linear, Normals::quadratic}) {
             for (const Partitioning partitioning : partitionings) {
                 if (!every_variant && (scheme == Scheme::linear || normals == Normals::linear)) {

@@ -58,7 +58,7 @@ class Model : public testing::TestWithParam<std::string> {};
 TEST_P(Model, HasTheSameBitsOnEveryDevice) {
     TESSERA_SHARED_OR_SKIP(shared);
     const patches::PatchSet set = test::load_patches((shared / "models" / GetParam()).string());
-    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
         for (const Partitioning partitioning : partitionings) {
             if (is_large(set) && (scheme != Scheme::pn || partitioning != Partitioning::fractional_odd)) {
                 continue;
@@ -94,7 +94,7 @@ TEST(Models, AreThere) {
 // Without any file: shapes with large factors and every combination of scheme, normals and partitioning.
 TEST(Shapes, HaveTheSameBitsOnEveryDevice) {
     const patches::PatchSet set = test::load_patches("shape:icosahedron");
-    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
+    for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
         for (const Normals normals : {Normals::linear, Normals::quadratic, Normals::surface}) {
             for (const Partitioning partitioning : partitionings) {
                 SCOPED_TRACE(fmt::format("{} {} {}", name(scheme), name(normals), name(partitioning)));
