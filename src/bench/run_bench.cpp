@@ -148,6 +148,7 @@ private:
 
     void describe_machine() {
         report_.quick = settings_.source.quick;
+        report_.missing = settings_.missing;
         report_.threads = thread_count();
         report_.streaming_stores = streaming_store_name();
         for (const gpu::Device& device : settings_.devices) {

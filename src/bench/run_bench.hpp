@@ -16,6 +16,7 @@ struct Settings {
     std::vector<PeerMaker> peers;
     WorkloadSource source;
     Effort effort;
+    std::vector<Missing> missing;  ///< what the program was built without, for the report
 };
 
 /// `say` is told what is measured now.

@@ -2,6 +2,7 @@
 #include "backends/registry.hpp"
 #include "base/error.hpp"
 #include "base/output_file.hpp"
+#include "bench/peers/peers.hpp"
 #include "bench/run_bench.hpp"
 #include "cli/command.hpp"
 
@@ -56,6 +57,8 @@ int run(const Context& context, const Words& words) {
     if (words.quick) settings.effort = {3, 1, 1.0};
     if (words.repetitions > 0) settings.effort.repetitions = words.repetitions;
     settings.devices = open_devices(context, words.devices);
+    settings.peers = peers::host_peers();
+    settings.missing = peers::peers_not_built();
     const bench::Report report = bench::run_bench(settings, [&](const std::string& line) { say(context, line); });
     fmt::print("{}", bench::to_text(report));
     if (!words.json.empty()) write_text(words.json, bench::to_json(report).dump(2) + "\n");
