@@ -4,6 +4,7 @@
 #include "base/output_file.hpp"
 #include "bench/peers/peers.hpp"
 #include "bench/run_bench.hpp"
+#include "bench/serial_kernel.hpp"
 #include "cli/command.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,9 @@ int run(const Context& context, const Words& words) {
     if (words.repetitions > 0) settings.effort.repetitions = words.repetitions;
     settings.devices = open_devices(context, words.devices);
     settings.peers = peers::host_peers();
+    for (const gpu::Device& device : settings.devices) {
+        settings.peers.push_back(bench::serial_kernel_peer(device));
+    }
     settings.missing = peers::peers_not_built();
     const bench::Report report = bench::run_bench(settings, [&](const std::string& line) { say(context, line); });
     fmt::print("{}", bench::to_text(report));
