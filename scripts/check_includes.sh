@@ -20,11 +20,11 @@ export:             base scene tessellate
 render:             base image scene tessellate
 verify:             base gpu patches tessellate
 bench:              base kernels gpu patches scene tessellate verify
-backends:           base gpu render verify
+backends:           base gpu render verify bench
 backends/reference: base kernels gpu backends
 backends/opencl:    base kernels gpu backends
-backends/vulkan:    base kernels gpu image scene tessellate render verify backends
-registry.cpp:       base gpu render verify backends backends/reference backends/opencl backends/vulkan
+backends/vulkan:    base kernels gpu image scene tessellate render verify bench backends
+registry.cpp:       base gpu render verify bench backends backends/reference backends/opencl backends/vulkan
 peers:
 tessera.hpp:        base gpu image scene patches tessellate export render verify backends
 cli:                base gpu image scene patches tessellate export render verify bench backends peers

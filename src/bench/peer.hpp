@@ -18,6 +18,8 @@ public:
     virtual void run() = 0;
     /// What one run makes.
     virtual OutputSize size() const = 0;
+    /// Bytes that one run writes.
+    virtual std::uint64_t bytes() const { return size().bytes(); }
     /// Times of a run are multiplied by this: the part of the workload that one run does not do.
     virtual double scale() const { return 1.0; }
     /// Looks at the output of a run. A sentence where it is not what was asked for, else empty.

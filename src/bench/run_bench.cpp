@@ -98,7 +98,7 @@ Figure figure_of(const Workload& workload, const Theirs& theirs, const Contestan
     figure.seconds = summarise(seconds);
     figure.vertices = whole(theirs.peer->size().vertices);
     figure.triangles = whole(theirs.peer->size().triangles);
-    figure.bytes = whole(theirs.peer->size().bytes());
+    figure.bytes = whole(theirs.peer->bytes());
     figure.note = theirs.peer->note();
     if (theirs.maker->on_host) {
         set_fraction(figure, report, "host", streaming_roof_name);
@@ -177,6 +177,7 @@ private:
             guarded(fmt::format("{} for {}", maker.name, workload.id), [&] {
                 Theirs theirs{&maker, maker.make(workload), {}};
                 if (theirs.peer == nullptr) return;
+                // Each check runs the peer in a way of its own, so this comes first: it tells the size.
                 theirs.peer->run();
                 theirs.unsound = theirs.peer->check();
                 peers.push_back(std::move(theirs));

@@ -69,20 +69,4 @@ Workload make_workload(const std::string& id, const WorkloadSource& source) {
                 fmt::format("There is no workload named \"{}\"; choose W1, W2, W3, W4, W5 or W6.", id));
 }
 
-Workload every_nth_patch(const Workload& workload, std::uint64_t n) {
-    Workload part{workload.id, workload.description, {}, workload.options, workload.uniform_factor};
-    part.patches.control_vertices = workload.patches.control_vertices;
-    part.patches.exponent = workload.patches.exponent;
-    const auto* factors = std::get_if<std::vector<PatchFactors>>(&workload.options.factors);
-    std::vector<PatchFactors> kept;
-    for (std::uint64_t i = 0; i < workload.patches.patch_count(); i += n) {
-        if (patches::is_quad(workload.patches.corners[i])) continue;
-        part.patches.corners.push_back(workload.patches.corners[i]);
-        if (factors != nullptr) kept.push_back((*factors)[i]);
-    }
-    if (factors != nullptr) part.options.factors = std::move(kept);
-    part.patches.ranges = {{"part", 0, 0, part.patches.patch_count()}};
-    return part;
-}
-
 }  // namespace tessera::bench

@@ -34,9 +34,6 @@ struct WorkloadSource {
 /// Throws Error(usage) for another name and where the model cannot be read.
 Workload make_workload(const std::string& id, const WorkloadSource& source);
 
-/// Triangle patches alone of a set; factors follow where there is a set of them per patch.
-Workload every_nth_patch(const Workload& workload, std::uint64_t n);
-
 /// Names in the order of the report: W1, W2, W3, W3-1, W4.
 std::vector<std::string> job_workloads();
 

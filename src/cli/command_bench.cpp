@@ -3,11 +3,13 @@
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "bench/peers/peers.hpp"
+#include "bench/fixed_function_peer.hpp"
 #include "bench/run_bench.hpp"
 #include "bench/serial_kernel.hpp"
 #include "cli/command.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -61,6 +63,10 @@ int run(const Context& context, const Words& words) {
     settings.peers = peers::host_peers();
     for (const gpu::Device& device : settings.devices) {
         settings.peers.push_back(bench::serial_kernel_peer(device));
+        if (device.info().tessellation_stage) {
+            std::ranges::move(bench::fixed_function_peers(backends::open_timed_stage(device.info().id)),
+                              std::back_inserter(settings.peers));
+        }
     }
     settings.missing = peers::peers_not_built();
     const bench::Report report = bench::run_bench(settings, [&](const std::string& line) { say(context, line); });
