@@ -1,5 +1,7 @@
 #include "bench/marks.hpp"
 
+#include "bench/growth.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -48,7 +50,7 @@ private:
 std::optional<double> fixed_cost(const Report& report, const std::string& device) {
     const auto table = std::ranges::find(report.tables, "W6", &Table::id);
     if (table == report.tables.end()) return std::nullopt;
-    const auto column = std::ranges::find(table->columns, "1 patch, ms");
+    const auto column = std::ranges::find(table->columns, one_patch_column);
     for (const std::vector<Cell>& row : table->rows) {
         const auto* id = std::get_if<std::string>(&row.front());
         if (id != nullptr && *id == device && column != table->columns.end()) {
@@ -88,7 +90,7 @@ std::vector<Mark> make_marks(const Report& report) {
     marks.add("peak memory beyond outputs and inputs, W1, over the outputs", memory, "of the outputs", 0.10, false);
     for (const gpu::DeviceInfo& device : report.devices) {
         if (device.software || !device.tessellation_stage) continue;
-        for (const char* workload : {"G16", "G64"}) {
+        for (const char* workload : {"W1", "W1-64"}) {
             marks.ratio(fmt::format("{} on {} against its tessellation stage, discarded", workload, device.id),
                         workload, device.id, discarded_peer_prefix + device.id, 1.0);
             marks.ratio(fmt::format("{} on {} against its tessellation stage, drawn", workload, device.id), workload,

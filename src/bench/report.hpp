@@ -16,6 +16,7 @@ namespace tessera::bench {
 
 /// A rate that nothing beats: bytes per second, of the host ("host") or of a device (its id).
 struct Roof {
+    std::string workload;  ///< beside which it was measured
     std::string where;
     std::string name;
     Summary rate;
@@ -80,7 +81,7 @@ struct Report {
     std::vector<Mark> marks;
     std::vector<Missing> missing;
 
-    const Roof* find_roof(const std::string& where, const std::string& name) const;
+    const Roof* find_roof(const std::string& workload, const std::string& where, const std::string& name) const;
     /// Null where there is none or it was rejected.
     const Figure* find_figure(const std::string& workload, const std::string& contestant) const;
 };

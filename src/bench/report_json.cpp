@@ -88,7 +88,8 @@ nlohmann::ordered_json to_json(const Report& report) {
         json["workloads"][id] = description;
     }
     for (const Roof& roof : report.roofs) {
-        json["roofs"].push_back({{"where", roof.where},
+        json["roofs"].push_back({{"workload", roof.workload},
+                                 {"where", roof.where},
                                  {"name", roof.name},
                                  {"bytes", roof.bytes},
                                  {"bytes_per_second", to_json(roof.rate)}});

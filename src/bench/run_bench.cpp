@@ -1,9 +1,11 @@
 #include "bench/run_bench.hpp"
 
 #include "base/error.hpp"
+#include "bench/growth.hpp"
 #include "bench/marks.hpp"
 #include "bench/roofs.hpp"
 #include "bench/streaming_stores.hpp"
+#include "bench/upload.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -36,7 +38,7 @@ std::string wrong_with(const OutputCheck& check, const std::optional<OutputCheck
     return {};
 }
 
-/// The fastest way to write that was seen in this run.
+/// The fastest way to write that was seen in this run, beside whatever workload.
 WriteRoof host_roof(const Report& report) {
     WriteRoof best;
     for (const Roof& roof : report.roofs) {
@@ -48,7 +50,7 @@ WriteRoof host_roof(const Report& report) {
 }
 
 void set_fraction(Figure& figure, const Report& report, const std::string& where, const std::string& name) {
-    const Roof* roof = report.find_roof(where, name);
+    const Roof* roof = report.find_roof(figure.workload, where, name);
     if (roof != nullptr && figure.seconds.median > 0.0 && roof->rate.median > 0.0) {
         figure.roof_fraction = static_cast<double>(figure.bytes) / figure.seconds.median / roof->rate.median;
     }
@@ -107,14 +109,14 @@ Figure figure_of(const Workload& workload, const Theirs& theirs, const Contestan
     return figure;
 }
 
-void add_roofs(Report& report, const std::vector<Contestant>& contestants, std::size_t first, std::size_t count,
-               const std::string& where, std::uint64_t bytes) {
+void add_roofs(Report& report, const std::string& workload, const std::vector<Contestant>& contestants,
+               std::size_t first, std::size_t count, const std::string& where, std::uint64_t bytes) {
     for (std::size_t i = first; i < first + count; ++i) {
         std::vector<double> rates;
         for (const double seconds : contestants[i].seconds) {
             rates.push_back(static_cast<double>(bytes) / seconds);
         }
-        report.roofs.push_back({where, where == "host" ? contestants[i].name : "fill", summarise(rates), bytes});
+        report.roofs.push_back({workload, where, where == "host" ? contestants[i].name : "fill", summarise(rates), bytes});
     }
 }
 
@@ -127,14 +129,31 @@ public:
         for (const std::string& id : job_workloads()) {
             if (wanted(id)) guarded(id, [&] { measure(make_workload(id, settings_.source)); });
         }
+        if (wanted("W5")) {
+            guarded("W5", [&] {
+                say_("W5: many copies of one model");
+                std::ranges::move(measure_copies(settings_.devices, settings_.source, settings_.effort,
+                                                 settings_.open_rasteriser),
+                                  std::back_inserter(report_.tables));
+            });
+        }
+        if (wanted("W6")) {
+            guarded("W6", [&] {
+                say_("W6: from one patch to many");
+                report_.tables.push_back(
+                    measure_growth(settings_.devices, settings_.effort, settings_.source.quick));
+            });
+        }
+        measure_traffic();
         report_.marks = make_marks(report_);
         return std::move(report_);
     }
 
 private:
-    // "W3" asks for W3-1 too.
+    // "W3" asks for W3-1 too. Factor 64 is for GPUs.
     bool wanted(const std::string& id) const {
-        return std::ranges::any_of(settings_.workloads, [&](const std::string& w) { return id.starts_with(w); });
+        const bool gpu = std::ranges::any_of(settings_.devices, [](const gpu::Device& d) { return !d.info().software; });
+        return (id != "W1-64" || gpu) && std::ranges::any_of(settings_.workloads, [&](const std::string& w) { return id.starts_with(w); });
     }
 
     template <typename Body>
@@ -144,6 +163,18 @@ private:
         } catch (const Error& error) {
             report_.missing.push_back({what, error.what()});
         }
+    }
+
+    void measure_traffic() {
+        Table table = upload_table();
+        for (const char* id : {"W1", "W3"}) {
+            if (!wanted(id)) continue;
+            guarded(fmt::format("memory traffic of {}", id), [&] {
+                say_(fmt::format("memory traffic of {}", id));
+                measure_upload(table, settings_.devices, make_workload(id, settings_.source), settings_.effort);
+            });
+        }
+        if (!table.rows.empty()) report_.tables.push_back(std::move(table));
     }
 
     void describe_machine() {
@@ -186,25 +217,20 @@ private:
         return peers;
     }
 
-    // The roofs run among the contestants of the first workload.
+    // The roofs run among the contestants, so that they have the machine as it is just then.
     void measure(const Workload& workload) {
         say_(fmt::format("{}: {}", workload.id, workload.description));
         report_.workloads.emplace_back(workload.id, workload.description);
         std::vector<Ours> jobs = open_jobs(workload);
         std::vector<Theirs> peers = open_peers(workload);
         std::vector<Contestant> contestants;
-        std::optional<HostRoofs> roofs;
-        std::vector<FillRoof> fills;
         const std::uint64_t roof_bytes = settings_.source.quick ? 16ull << 20 : 256ull << 20;
-        if (report_.roofs.empty()) {
-            roofs.emplace(roof_bytes);
-            roofs->add_to(contestants);
-            for (const gpu::Device& device : settings_.devices) {
-                fills.emplace_back(device, roof_bytes);
-            }
-            for (std::size_t i = 0; i < fills.size(); ++i) {
-                contestants.push_back({"fill", [&fill = fills[i]] { fill.fill(); }});
-            }
+        HostRoofs roofs(roof_bytes);
+        roofs.add_to(contestants);
+        std::vector<std::unique_ptr<FillRoof>> fills;
+        for (const gpu::Device& device : settings_.devices) {
+            fills.push_back(std::make_unique<FillRoof>(device, roof_bytes));
+            contestants.push_back({"fill", [fill = fills.back().get()] { fill->fill(); }});
         }
         const std::size_t first_job = contestants.size();
         for (Ours& ours : jobs) {
@@ -220,17 +246,20 @@ private:
             contestants.push_back({theirs.maker->name, [p = theirs.peer.get()] { p->run(); }});
         }
         interleave(contestants, settings_.effort);
-        if (roofs) {
-            add_roofs(report_, contestants, 0, 3, "host", roofs->bytes());
-            for (std::size_t i = 0; i < fills.size(); ++i) {
-                add_roofs(report_, contestants, 3 + i, 1, settings_.devices[i].info().id, fills[i].bytes());
-            }
+        add_roofs(report_, workload.id, contestants, 0, 3, "host", roofs.bytes());
+        for (std::size_t i = 0; i < fills.size(); ++i) {
+            add_roofs(report_, workload.id, contestants, 3 + i, 1, settings_.devices[i].info().id, fills[i]->bytes());
         }
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             report_.figures.push_back(figure_of(workload, jobs[i], contestants[first_job + i], report_));
         }
         for (std::size_t i = 0; i < peers.size(); ++i) {
-            report_.figures.push_back(figure_of(workload, peers[i], contestants[first_job + jobs.size() + i], report_));
+            Figure figure = figure_of(workload, peers[i], contestants[first_job + jobs.size() + i], report_);
+            if (figure.triangles == 0 && !jobs.empty()) {  // it keeps nothing that could be counted
+                figure.vertices = jobs.front().job->size().vertices;
+                figure.triangles = jobs.front().job->size().triangles;
+            }
+            report_.figures.push_back(std::move(figure));
         }
     }
 
@@ -241,9 +270,10 @@ private:
 
 }  // namespace
 
-const Roof* Report::find_roof(const std::string& where, const std::string& name) const {
-    const auto found =
-        std::ranges::find_if(roofs, [&](const Roof& roof) { return roof.where == where && roof.name == name; });
+const Roof* Report::find_roof(const std::string& workload, const std::string& where, const std::string& name) const {
+    const auto found = std::ranges::find_if(roofs, [&](const Roof& roof) {
+        return roof.workload == workload && roof.where == where && roof.name == name;
+    });
     return found == roofs.end() ? nullptr : &*found;
 }
 

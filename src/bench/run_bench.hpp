@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/contest.hpp"
+#include "bench/copies.hpp"
 #include "bench/peer.hpp"
 #include "bench/report.hpp"
 #include "gpu/device.hpp"
@@ -16,6 +17,7 @@ struct Settings {
     std::vector<PeerMaker> peers;
     WorkloadSource source;
     Effort effort;
+    OpenRasteriser open_rasteriser;  ///< may be empty: nothing is drawn
     std::vector<Missing> missing;  ///< what the program was built without, for the report
 };
 

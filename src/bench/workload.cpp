@@ -39,7 +39,7 @@ PatchFactors equal_factors(float factor) {
 }
 
 std::vector<std::string> job_workloads() {
-    return {"W1", "W2", "W3", "W3-1", "W4"};
+    return {"W1", "W1-64", "W2", "W3", "W3-1", "W4"};
 }
 
 Workload make_workload(const std::string& id, const WorkloadSource& source) {
@@ -47,6 +47,9 @@ Workload make_workload(const std::string& id, const WorkloadSource& source) {
     const char* count = source.quick ? "200" : "20,000";
     if (id == "W1") {
         return make(id, fmt::format("{} PN patches, factor 16, integer", count), sphere, Partitioning::integer, 16.0f);
+    }
+    if (id == "W1-64") {
+        return make(id, fmt::format("{} PN patches, factor 64, integer", count), sphere, Partitioning::integer, 64.0f);
     }
     if (id == "W2") {
         Workload workload = make(id, fmt::format("{} PN patches, random factors 1..64 per edge, fractional_odd", count),

@@ -28,13 +28,14 @@ struct WorkloadSource {
 
 /// The one-job workloads, made when asked for:
 ///   W1  20,000 PN triangles (shape:sphere:50), factor 16, integer
+///   W1-64  the same at factor 64, for GPUs
 ///   W2  the same, random factors 1..64 per edge, fractional_odd
 ///   W3  HugeSpot at factor 4;  W3-1  at factor 1
 ///   W4  rook as quads at factor 32
 /// Throws Error(usage) for another name and where the model cannot be read.
 Workload make_workload(const std::string& id, const WorkloadSource& source);
 
-/// Names in the order of the report: W1, W2, W3, W3-1, W4.
+/// Names in the order of the report.
 std::vector<std::string> job_workloads();
 
 /// Six equal factors.
