@@ -24,7 +24,7 @@ struct Entry {
     std::unique_ptr<gpu::Backend> (*open)(std::size_t index);
     std::unique_ptr<render::Rasteriser> (*open_rasteriser)(std::size_t index);                    // null: draws nothing
     std::unique_ptr<verify::FixedFunctionTessellator> (*open_fixed_function)(std::size_t index);  // null: has none
-    std::unique_ptr<bench::TimedStage> (*open_timed_stage)(std::size_t index);                     // likewise
+    std::unique_ptr<bench::TimedStage> (*open_timed_stage)(std::size_t index);                    // likewise
 };
 
 constexpr std::array entries{

@@ -130,8 +130,8 @@ private:
         if (captured) {
             const vk::MemoryBarrier readable(vk::AccessFlagBits::eTransformFeedbackWriteEXT,
                                              vk::AccessFlagBits::eHostRead);
-            commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransformFeedbackEXT,
-                                     vk::PipelineStageFlagBits::eHost, {}, readable, {}, {});
+            commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransformFeedbackEXT, vk::PipelineStageFlagBits::eHost,
+                                     {}, readable, {}, {});
         }
     }
 

@@ -30,10 +30,9 @@ void create_target(const Context& context, TimedPipeline& timed, bool drawn) {
     timed.pass = vk::raii::RenderPass(context.device, pass);
     vk::FramebufferCreateInfo framebuffer({}, *timed.pass, 0, nullptr, TimedPipeline::side, TimedPipeline::side, 1);
     if (drawn) {
-        const vk::ImageCreateInfo info({}, vk::ImageType::e2D, colour_format,
-                                       vk::Extent3D(TimedPipeline::side, TimedPipeline::side, 1), 1, 1,
-                                       vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                       vk::ImageUsageFlagBits::eColorAttachment);
+        const vk::ImageCreateInfo info(
+            {}, vk::ImageType::e2D, colour_format, vk::Extent3D(TimedPipeline::side, TimedPipeline::side, 1), 1, 1,
+            vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, vk::ImageUsageFlagBits::eColorAttachment);
         timed.image = create_image(context, info, "target of timed draws");
         timed.view = vk::raii::ImageView(
             context.device,
@@ -69,9 +68,9 @@ vk::raii::Pipeline create_pipeline(const Context& context, const TimedPipeline& 
     blend.setColorWriteMask(Component::eR | Component::eG | Component::eB | Component::eA);
     const vk::PipelineColorBlendStateCreateInfo blending({}, VK_FALSE, {}, blend);
     return {context.device, nullptr,
-            vk::GraphicsPipelineCreateInfo({}, stages, &no_input, &assembly, &tessellation, drawn ? &viewports : nullptr,
-                                           &raster, drawn ? &multisample : nullptr, nullptr,
-                                           drawn ? &blending : nullptr, nullptr, *timed.layout, *timed.pass)};
+            vk::GraphicsPipelineCreateInfo({}, stages, &no_input, &assembly, &tessellation,
+                                           drawn ? &viewports : nullptr, &raster, drawn ? &multisample : nullptr,
+                                           nullptr, drawn ? &blending : nullptr, nullptr, *timed.layout, *timed.pass)};
 }
 
 }  // namespace

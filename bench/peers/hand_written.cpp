@@ -70,8 +70,22 @@ void make_net(const Vertex& a, const Vertex& b, const Vertex& c, float* out) {
     const vec3 p21 = edge_point(p2, n2, p1), p20 = edge_point(p2, n2, p0), p02 = edge_point(p0, n0, p2);
     const vec3 mean = (p01 + p10 + p12 + p21 + p20 + p02) / 6.0f;
     const vec3 centre = mean + (mean - (p0 + p1 + p2) / 3.0f) * 0.5f;
-    const vec3 all[16] = {p0, p1, p2, p01, p10, p12, p21, p20, p02, centre, n0, n1, n2,
-                          edge_normal(p0, n0, p1, n1), edge_normal(p1, n1, p2, n2), edge_normal(p2, n2, p0, n0)};
+    const vec3 all[16] = {p0,
+                          p1,
+                          p2,
+                          p01,
+                          p10,
+                          p12,
+                          p21,
+                          p20,
+                          p02,
+                          centre,
+                          n0,
+                          n1,
+                          n2,
+                          edge_normal(p0, n0, p1, n1),
+                          edge_normal(p1, n1, p2, n2),
+                          edge_normal(p2, n2, p0, n0)};
     for (int i = 0; i < 16; ++i) {
         out[3 * i] = all[i].x;
         out[3 * i + 1] = all[i].y;
@@ -87,10 +101,25 @@ void make_net(const Vertex& a, const Vertex& b, const Vertex& c, float* out) {
 void make_weights(DomainPoint point, float* out, std::size_t stride) {
     const float u = static_cast<float>(point.u) / 65536.0f, v = static_cast<float>(point.v) / 65536.0f;
     const float w = 1.0f - u - v;
-    const float all[weight_rows] = {u * u * u,     v * v * v,     w * w * w,     3 * u * u * v, 3 * v * v * u,
-                                    3 * v * v * w, 3 * w * w * v, 3 * w * w * u, 3 * u * u * w, 6 * u * v * w,
-                                    u * u,         v * v,         w * w,         u * v,         v * w,
-                                    w * u,         u,             v,             w};
+    const float all[weight_rows] = {u * u * u,
+                                    v * v * v,
+                                    w * w * w,
+                                    3 * u * u * v,
+                                    3 * v * v * u,
+                                    3 * v * v * w,
+                                    3 * w * w * v,
+                                    3 * w * w * u,
+                                    3 * u * u * w,
+                                    6 * u * v * w,
+                                    u * u,
+                                    v * v,
+                                    w * w,
+                                    u * v,
+                                    v * w,
+                                    w * u,
+                                    u,
+                                    v,
+                                    w};
     for (std::size_t i = 0; i < weight_rows; ++i) {
         out[i * stride] = all[i];
     }
@@ -131,7 +160,8 @@ public:
     }
 
     bench::OutputSize size() const override {
-        return {patches_ * std::uint64_t{pattern_.points.size()}, patches_ * std::uint64_t{pattern_.indices.size()} / 3};
+        return {patches_ * std::uint64_t{pattern_.points.size()},
+                patches_ * std::uint64_t{pattern_.indices.size()} / 3};
     }
 
     std::string note() const override {

@@ -12,13 +12,13 @@ inline constexpr std::uint32_t weight_rows = 19;
 
 /// Every patch has the same pattern.
 struct Emission {
-    const float* nets;           ///< net_floats per patch
-    const float* weights[2];     ///< per group of points `weight_rows` rows of a vector; [1] has one idle slot in front
-    std::uint32_t points;        ///< of a patch
+    const float* nets;        ///< net_floats per patch
+    const float* weights[2];  ///< per group of points `weight_rows` rows of a vector; [1] has one idle slot in front
+    std::uint32_t points;     ///< of a patch
     const std::uint32_t* pattern_indices;
-    std::uint32_t index_count;   ///< of a patch
-    float* vertices;             ///< eight floats each, aligned to 64 bytes
-    std::uint32_t* indices;      ///< aligned to 64 bytes
+    std::uint32_t index_count;  ///< of a patch
+    float* vertices;            ///< eight floats each, aligned to 64 bytes
+    std::uint32_t* indices;     ///< aligned to 64 bytes
 };
 
 /// Inner loops for one instruction set.

@@ -45,11 +45,11 @@ FUNCTION SurfaceVertex serial_vertex(SerialNet net, DomainPoint point) {
 }
 
 // Appends one triangle of a row between two rings and moves the cursor.
-#define SERIAL_APPEND(a, b, c)                                                                                 \
-    {                                                                                                          \
+#define SERIAL_APPEND(a, b, c)                                                                                         \
+    {                                                                                                                  \
         const Triangle placed = place_row(make_triangle(a, b, c), outer_ring, outer_offset, inner_ring, inner_offset); \
-        STORE_TRIANGLE(index_buffer, index_at, base, flip, placed);                                            \
-        index_at = index_at + 3u;                                                                              \
+        STORE_TRIANGLE(index_buffer, index_at, base, flip, placed);                                                    \
+        index_at = index_at + 3u;                                                                                      \
     }
 
 KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),

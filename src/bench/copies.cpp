@@ -89,8 +89,7 @@ public:
 
     void add_draws(std::vector<Contestant>& contestants, render::Rasteriser& rasteriser, const scene::Scene& scene) {
         for (const Workload* workload : workloads_) {
-            tessellators_.push_back(
-                std::make_unique<Tessellator>(device_, workload->patches, workload->options));
+            tessellators_.push_back(std::make_unique<Tessellator>(device_, workload->patches, workload->options));
             contestants.push_back({device_.info().id, [this, t = tessellators_.back().get(), workload, &rasteriser,
                                                        &scene] { draw(*t, *workload, rasteriser, scene); }});
         }
@@ -154,8 +153,8 @@ private:
         std::vector<std::size_t> places;
         for (std::size_t d = 0; d < devices_.size(); ++d) {
             render::Rasteriser* rasteriser = rasterisers_[d].get();
-            if (drawn != nullptr && (rasteriser == nullptr || (devices_[d].info().software &&
-                                                               triangles > most_drawn_in_software))) {
+            if (drawn != nullptr &&
+                (rasteriser == nullptr || (devices_[d].info().software && triangles > most_drawn_in_software))) {
                 continue;
             }
             pairs.push_back(std::make_unique<Pair>(devices_[d], phong, pn));
@@ -191,9 +190,13 @@ std::vector<Table> measure_copies(const std::vector<gpu::Device>& devices, const
                     "models/Fox/Fox.glb.");
     }
     const std::vector<Model> models{
-        {"W5-person", "copies of RiggedFigure (Nunes et al. 2011, tables 1 and 2)", "RiggedFigure/RiggedFigure.glb",
+        {"W5-person",
+         "copies of RiggedFigure (Nunes et al. 2011, tables 1 and 2)",
+         "RiggedFigure/RiggedFigure.glb",
          {0.103, 0.616, 1.33, 2.46, 3.80, 5.54, 7.49, 9.85, 12.40, 15.40, 18.60}},
-        {"W5-animal", "copies of Fox (Nunes et al. 2011, tables 3 and 4)", "Fox/Fox.glb",
+        {"W5-animal",
+         "copies of Fox (Nunes et al. 2011, tables 3 and 4)",
+         "Fox/Fox.glb",
          {0.036, 0.47, 0.87, 1.30, 2.00, 2.60, 3.50, 4.40, 5.40, 6.50, 7.80, 9.1, 11.0, 12.0, 14.0, 16.0}}};
     CopiesRun run(devices, effort, open_rasteriser);
     std::vector<Table> tables;
@@ -205,7 +208,7 @@ std::vector<Table> measure_copies(const std::vector<gpu::Device>& devices, const
                     {"device", "million triangles", "copies", "Phong", "PN", "gain %", "Phong drawn", "PN drawn",
                      "gain % drawn"},
                     {}};
-        for (const double millions : model.millions) {
+        for (const double& millions : model.millions) {
             if (source.quick && &millions != &model.millions.front()) break;
             run.add_row(table, (source.models / model.path).string(), millions);
         }

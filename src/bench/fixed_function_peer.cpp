@@ -10,7 +10,7 @@ namespace tessera::bench {
 namespace {
 
 constexpr std::uint64_t software_patches = 2000;
-constexpr std::uint32_t software_draw = 100;
+constexpr std::uint32_t software_draw = 2;
 
 struct StagePatches {
     std::vector<PatchFactors> factors;
@@ -71,7 +71,7 @@ public:
 
     std::string note() const override {
         std::string text = destination_ == Destination::captured ? "three vertices of 32 bytes per triangle"
-                                                                  : "nothing is written to memory";
+                                                                 : "nothing is written to memory";
         if (destination_ == Destination::drawn) text = "into 1024 x 1024 pixels";
         if (software_) text += fmt::format("; draws of {} patches", software_draw);
         if (patches_.scale > 1.0) text += fmt::format(", time of {} patches scaled up", patches_.factors.size());

@@ -46,7 +46,8 @@ std::string describe(const gpu::DeviceInfo& d) {
 }
 
 Grid roof_grid(const Report& report) {
-    Grid grid{"Roofs", "GB/s; a copy's bytes count once.", {{"beside", "where", "what", "median", "quartiles", "best"}}};
+    Grid grid{
+        "Roofs", "GB/s; a copy's bytes count once.", {{"beside", "where", "what", "median", "quartiles", "best"}}};
     for (const Roof& roof : report.roofs) {
         grid.rows.push_back({roof.workload, roof.where, roof.name, fmt::format("{:.1f}", roof.rate.median * 1e-9),
                              fmt::format("{:.1f} to {:.1f}", roof.rate.lower * 1e-9, roof.rate.upper * 1e-9),

@@ -116,7 +116,8 @@ void add_roofs(Report& report, const std::string& workload, const std::vector<Co
         for (const double seconds : contestants[i].seconds) {
             rates.push_back(static_cast<double>(bytes) / seconds);
         }
-        report.roofs.push_back({workload, where, where == "host" ? contestants[i].name : "fill", summarise(rates), bytes});
+        report.roofs.push_back(
+            {workload, where, where == "host" ? contestants[i].name : "fill", summarise(rates), bytes});
     }
 }
 
@@ -132,16 +133,15 @@ public:
         if (wanted("W5")) {
             guarded("W5", [&] {
                 say_("W5: many copies of one model");
-                std::ranges::move(measure_copies(settings_.devices, settings_.source, settings_.effort,
-                                                 settings_.open_rasteriser),
-                                  std::back_inserter(report_.tables));
+                std::ranges::move(
+                    measure_copies(settings_.devices, settings_.source, settings_.effort, settings_.open_rasteriser),
+                    std::back_inserter(report_.tables));
             });
         }
         if (wanted("W6")) {
             guarded("W6", [&] {
                 say_("W6: from one patch to many");
-                report_.tables.push_back(
-                    measure_growth(settings_.devices, settings_.effort, settings_.source.quick));
+                report_.tables.push_back(measure_growth(settings_.devices, settings_.effort, settings_.source.quick));
             });
         }
         measure_traffic();
@@ -152,8 +152,10 @@ public:
 private:
     // "W3" asks for W3-1 too. Factor 64 is for GPUs.
     bool wanted(const std::string& id) const {
-        const bool gpu = std::ranges::any_of(settings_.devices, [](const gpu::Device& d) { return !d.info().software; });
-        return (id != "W1-64" || gpu) && std::ranges::any_of(settings_.workloads, [&](const std::string& w) { return id.starts_with(w); });
+        const bool gpu =
+            std::ranges::any_of(settings_.devices, [](const gpu::Device& d) { return !d.info().software; });
+        return (id != "W1-64" || gpu) &&
+               std::ranges::any_of(settings_.workloads, [&](const std::string& w) { return id.starts_with(w); });
     }
 
     template <typename Body>
@@ -255,7 +257,7 @@ private:
         }
         for (std::size_t i = 0; i < peers.size(); ++i) {
             Figure figure = figure_of(workload, peers[i], contestants[first_job + jobs.size() + i], report_);
-            if (figure.triangles == 0 && !jobs.empty()) {  // it keeps nothing that could be counted
+            if (figure.vertices == 0 && !jobs.empty()) {  // it keeps nothing that could be counted
                 figure.vertices = jobs.front().job->size().vertices;
                 figure.triangles = jobs.front().job->size().triangles;
             }
@@ -271,9 +273,8 @@ private:
 }  // namespace
 
 const Roof* Report::find_roof(const std::string& workload, const std::string& where, const std::string& name) const {
-    const auto found = std::ranges::find_if(roofs, [&](const Roof& roof) {
-        return roof.workload == workload && roof.where == where && roof.name == name;
-    });
+    const auto found = std::ranges::find_if(
+        roofs, [&](const Roof& roof) { return roof.workload == workload && roof.where == where && roof.name == name; });
     return found == roofs.end() ? nullptr : &*found;
 }
 

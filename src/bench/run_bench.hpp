@@ -18,7 +18,7 @@ struct Settings {
     WorkloadSource source;
     Effort effort;
     OpenRasteriser open_rasteriser;  ///< may be empty: nothing is drawn
-    std::vector<Missing> missing;  ///< what the program was built without, for the report
+    std::vector<Missing> missing;    ///< what the program was built without, for the report
 };
 
 /// `say` is told what is measured now.

@@ -21,8 +21,8 @@ struct TimedPatches {
     Partitioning partitioning = Partitioning::integer;
     std::span<const PatchFactors> factors;
     std::span<const Vertex> corners;
-    std::uint32_t draw_patches = 100;       ///< of one draw
-    std::uint64_t most_triangles = 0;       ///< of one patch, at most
+    std::uint32_t draw_patches = 100;  ///< of one draw
+    std::uint64_t most_triangles = 0;  ///< of one patch, at most
 };
 
 /// Patches made ready to be drawn again and again.
