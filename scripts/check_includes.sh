@@ -19,7 +19,7 @@ tessellate:         base kernels gpu patches
 export:             base scene tessellate
 render:             base image scene tessellate
 verify:             base gpu patches tessellate
-bench:              base kernels gpu patches scene tessellate render
+bench:              base kernels gpu image patches scene tessellate render
 backends:           base gpu render verify bench
 backends/reference: base kernels gpu backends
 backends/opencl:    base kernels gpu backends

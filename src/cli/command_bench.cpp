@@ -4,6 +4,7 @@
 #include "base/output_file.hpp"
 #include "bench/fixed_function_peer.hpp"
 #include "bench/peers/peers.hpp"
+#include "bench/plot.hpp"
 #include "bench/run_bench.hpp"
 #include "bench/serial_kernel.hpp"
 #include "cli/command.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +21,7 @@ namespace {
 
 struct Words {
     std::vector<std::string> workloads, devices;
-    std::string json, markdown;
+    std::string json, markdown, plot, remarks;
     int repetitions = 0;
     bool quick = false;
 };
@@ -53,7 +55,35 @@ void write_text(const std::string& path, const std::string& text) {
     write_file(path, std::as_bytes(std::span(text)));
 }
 
+void check_plot(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (!path.empty() && extension != ".svg" && extension != ".png") {
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} has an unknown extension; a plot is written as .svg or .png.", path));
+    }
+}
+
+void write_plot(const bench::Report& report, const std::string& path) {
+    if (path.empty()) return;
+    if (std::filesystem::path(path).extension() == ".svg") {
+        write_text(path, bench::plot_svg(report));
+    } else {
+        image::write_png(bench::plot_image(report), path);
+    }
+}
+
+// The prose of the document, which no machine can write: what was tried, and what bounds the figures.
+std::string read_remarks(const std::string& path) {
+    if (path.empty()) return {};
+    std::ifstream file(path);
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    if (!file) throw Error(ErrorKind::usage, fmt::format("{} cannot be read.", path));
+    return text;
+}
+
 int run(const Context& context, const Words& words) {
+    check_plot(words.plot);
+    const std::string remarks = read_remarks(words.remarks);
     bench::Settings settings;
     if (!words.workloads.empty()) settings.workloads = words.workloads;
     settings.source = {models_folder(), words.quick};
@@ -79,7 +109,8 @@ int run(const Context& context, const Words& words) {
     const bench::Report report = bench::run_bench(settings, [&](const std::string& line) { say(context, line); });
     fmt::print("{}", bench::to_text(report));
     if (!words.json.empty()) write_text(words.json, bench::to_json(report).dump(2) + "\n");
-    if (!words.markdown.empty()) write_text(words.markdown, bench::to_markdown(report));
+    if (!words.markdown.empty()) write_text(words.markdown, bench::to_markdown(report, remarks));
+    write_plot(report, words.plot);
     for (const bench::Figure& figure : report.figures) {
         if (figure.unsound) return exit_difference;
     }
@@ -104,6 +135,8 @@ void add_bench_command(CLI::App& app, Context& context) {
     command->add_flag("--quick", words->quick, "Small workloads, a few seconds: shows that it works, not how fast");
     command->add_option("--json", words->json, "Write everything to this file as JSON");
     command->add_option("--markdown", words->markdown, "Write a document to this file");
+    command->add_option("--remarks", words->remarks, "Markdown that the document has under its table of marks");
+    command->add_option("--plot", words->plot, "Draw bars of the rates into this file, .svg or .png");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }
 
