@@ -9,8 +9,8 @@ namespace tessera::bench {
 
 struct Effort {
     int repetitions = 15;
-    int warm_ups = 2;            ///< runs that do not count
-    double seconds_each = 20.0;  ///< a contestant that has used these sits out, but not before its third sample
+    int warm_ups = 2;           ///< runs that do not count
+    double seconds_each = 8.0;  ///< a contestant that has used these sits out, but not before its third sample
 };
 
 /// Something that is timed. One call of `run` is one sample and returns when the work is done.

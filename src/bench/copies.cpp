@@ -18,6 +18,7 @@ constexpr std::uint64_t triangles_per_patch = 24;  // integer partitioning
 constexpr std::uint64_t memory_budget = 512ull << 20;
 /// Software rasterisers draw scenes up to this size only: more takes minutes and says nothing new.
 constexpr double most_drawn_in_software = 1.5e6;
+constexpr double most_drawn_quickly = 5e4;
 
 struct Model {
     const char* id;
@@ -120,8 +121,9 @@ private:
 
 class CopiesRun {
 public:
-    CopiesRun(const std::vector<gpu::Device>& devices, const Effort& effort, const OpenRasteriser& open_rasteriser)
-        : devices_(devices), effort_(effort) {
+    CopiesRun(const std::vector<gpu::Device>& devices, const Effort& effort, const OpenRasteriser& open_rasteriser,
+              bool quick)
+        : devices_(devices), effort_(effort), most_drawn_(quick ? most_drawn_quickly : most_drawn_in_software) {
         for (const gpu::Device& device : devices) {
             rasterisers_.push_back(open_rasteriser ? open_rasteriser(device.info().id) : nullptr);
         }
@@ -154,7 +156,7 @@ private:
         for (std::size_t d = 0; d < devices_.size(); ++d) {
             render::Rasteriser* rasteriser = rasterisers_[d].get();
             if (drawn != nullptr &&
-                (rasteriser == nullptr || (devices_[d].info().software && triangles > most_drawn_in_software))) {
+                (rasteriser == nullptr || (devices_[d].info().software && triangles > most_drawn_))) {
                 continue;
             }
             pairs.push_back(std::make_unique<Pair>(devices_[d], phong, pn));
@@ -163,9 +165,9 @@ private:
             places.push_back(d);
         }
         Effort effort = effort_;
-        effort.repetitions = std::max(effort.repetitions / 3, 3);
+        effort.repetitions = (effort.repetitions + 2) / 3;
         effort.warm_ups = 1;
-        effort.seconds_each = 3.0;
+        effort.seconds_each = std::min(effort.seconds_each, 3.0);
         interleave(contestants, effort);
         std::vector<double> medians(2 * devices_.size(), 0.0);
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -177,6 +179,7 @@ private:
 
     const std::vector<gpu::Device>& devices_;
     Effort effort_;
+    double most_drawn_;  // triangles, by software
     std::vector<std::unique_ptr<render::Rasteriser>> rasterisers_;
 };
 
@@ -198,7 +201,7 @@ std::vector<Table> measure_copies(const std::vector<gpu::Device>& devices, const
          "copies of Fox (Nunes et al. 2011, tables 3 and 4)",
          "Fox/Fox.glb",
          {0.036, 0.47, 0.87, 1.30, 2.00, 2.60, 3.50, 4.40, 5.40, 6.50, 7.80, 9.1, 11.0, 12.0, 14.0, 16.0}}};
-    CopiesRun run(devices, effort, open_rasteriser);
+    CopiesRun run(devices, effort, open_rasteriser, source.quick);
     std::vector<Table> tables;
     for (const Model& model : models) {
         Table table{model.id,

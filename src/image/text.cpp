@@ -45,8 +45,8 @@ void draw_text(Image& image, int x, int y, std::string_view text, std::array<std
     const int quads = stb_easy_font_print(0.0f, 0.0f, words.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(Corner)));
     for (int q = 0; q < quads; ++q) {
-        const Corner& first = corners[static_cast<std::size_t>(4 * q)];
-        const Corner& opposite = corners[static_cast<std::size_t>(4 * q + 2)];
+        const Corner& first = corners[4 * static_cast<std::size_t>(q)];
+        const Corner& opposite = corners[4 * static_cast<std::size_t>(q) + 2];
         fill_rectangle(image, x + static_cast<int>(first.x) * scale, y + static_cast<int>(first.y) * scale,
                        static_cast<int>(opposite.x - first.x) * scale, static_cast<int>(opposite.y - first.y) * scale,
                        colour);
