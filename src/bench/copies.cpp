@@ -91,8 +91,9 @@ public:
     void add_draws(std::vector<Contestant>& contestants, render::Rasteriser& rasteriser, const scene::Scene& scene) {
         for (const Workload* workload : workloads_) {
             tessellators_.push_back(std::make_unique<Tessellator>(device_, workload->patches, workload->options));
-            contestants.push_back({device_.info().id, [this, t = tessellators_.back().get(), workload, &rasteriser,
-                                                       &scene] { draw(*t, *workload, rasteriser, scene); }});
+            contestants.push_back({device_.info().id, [t = tessellators_.back().get(), workload, &rasteriser, &scene] {
+                                       draw(*t, *workload, rasteriser, scene);
+                                   }});
         }
     }
 
