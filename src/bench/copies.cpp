@@ -168,7 +168,7 @@ private:
         Effort effort = effort_;
         effort.repetitions = (effort.repetitions + 2) / 3;
         effort.warm_ups = 1;
-        effort.seconds_each = std::min(effort.seconds_each, 3.0);
+        effort.seconds_each = std::min(effort.seconds_each, 1.0);
         interleave(contestants, effort);
         std::vector<double> medians(2 * devices_.size(), 0.0);
         for (std::size_t i = 0; i < places.size(); ++i) {
