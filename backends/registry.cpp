@@ -3,6 +3,7 @@
 #include "backends/opencl/opencl_backend.hpp"
 #include "backends/reference/reference_backend.hpp"
 #include "backends/vulkan/fixed_function.hpp"
+#include "backends/vulkan/timed_draw.hpp"
 #include "backends/vulkan/vulkan_backend.hpp"
 #include "backends/vulkan/vulkan_rasteriser.hpp"
 #include "base/error.hpp"
@@ -23,13 +24,14 @@ struct Entry {
     std::unique_ptr<gpu::Backend> (*open)(std::size_t index);
     std::unique_ptr<render::Rasteriser> (*open_rasteriser)(std::size_t index);                    // null: draws nothing
     std::unique_ptr<verify::FixedFunctionTessellator> (*open_fixed_function)(std::size_t index);  // null: has none
+    std::unique_ptr<bench::TimedStage> (*open_timed_stage)(std::size_t index);                    // likewise
 };
 
 constexpr std::array entries{
-    Entry{"reference", reference::list, reference::open, nullptr, nullptr},
+    Entry{"reference", reference::list, reference::open, nullptr, nullptr, nullptr},
     Entry{"vulkan", vulkan::list, [](std::size_t index) { return vulkan::open(index); }, vulkan::open_rasteriser,
-          vulkan::open_fixed_function},
-    Entry{"opencl", opencl::list, opencl::open, nullptr, nullptr},
+          vulkan::open_fixed_function, vulkan::open_timed_stage},
+    Entry{"opencl", opencl::list, opencl::open, nullptr, nullptr, nullptr},
 };
 
 /// A device and how to open it.
@@ -190,6 +192,14 @@ std::unique_ptr<verify::FixedFunctionTessellator> open_fixed_function(const std:
                 fmt::format("No tessellation stage here can be captured to judge the kernels; with Mesa's lavapipe "
                             "(mesa-vulkan-drivers on Debian) any machine has one:{}",
                             reasons.empty() ? " no device was found." : reasons));
+}
+
+std::unique_ptr<bench::TimedStage> open_timed_stage(const std::string& id) {
+    const Found device = choose(id);
+    if (device.entry->open_timed_stage == nullptr) {
+        throw Error(ErrorKind::device_unavailable, fmt::format("{} has no tessellation stage.", device.info.id));
+    }
+    return device.entry->open_timed_stage(device.index);
 }
 
 }  // namespace tessera::backends

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backends/inventory.hpp"
+#include "bench/timed_draw.hpp"
 #include "gpu/device.hpp"
 #include "render/rasteriser.hpp"
 #include "verify/fixed_function.hpp"
@@ -24,5 +25,8 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id = "");
 /// Opens the tessellation stage of the named device, or for "" of the first device that has one which can be captured.
 /// Throws Error(device_unavailable) with every device's reason where none can.
 std::unique_ptr<verify::FixedFunctionTessellator> open_fixed_function(const std::string& id = "");
+
+/// Opens the tessellation stage of the named device to be timed. Throws Error(device_unavailable) where it has none.
+std::unique_ptr<bench::TimedStage> open_timed_stage(const std::string& id);
 
 }  // namespace tessera::backends

@@ -16,7 +16,7 @@ g++ cmake ninja-build
 libfmt-dev libglm-dev nlohmann-json3-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libstb-dev libcli11-dev libnanoflann-dev
 glslang-tools glslang-dev spirv-tools libvulkan-dev opencl-c-headers
 mesa-vulkan-drivers vulkan-validationlayers pocl-opencl-icd ocl-icd-libopencl1
-libgtest-dev librapidcheck-dev libbenchmark-dev
+libgtest-dev librapidcheck-dev libbenchmark-dev libosd-dev
 "
 
 for argument in "$@"; do

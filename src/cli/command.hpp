@@ -18,6 +18,7 @@ struct Context {
 };
 
 // Each adds one command to the program, in a file of its own.
+void add_bench_command(CLI::App& app, Context& context);
 void add_devices_command(CLI::App& app, Context& context);
 void add_render_command(CLI::App& app, Context& context);
 void add_tessellate_command(CLI::App& app, Context& context);

@@ -15,6 +15,10 @@ const DeviceInfo& Device::info() const {
     return detail::not_null(state_, "Device::info", "device").backend->info();
 }
 
+const Traffic& Device::traffic() const {
+    return detail::not_null(state_, "Device::traffic", "device").traffic;
+}
+
 Queue Device::queue() const {
     detail::not_null(state_, "Device::queue", "device");
     Queue queue;

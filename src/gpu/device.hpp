@@ -128,6 +128,14 @@ public:
     std::shared_ptr<detail::DeviceState> state_;
 };
 
+/// What has gone to and from a device since it was opened, for measurements.
+struct Traffic {
+    std::uint64_t submits = 0;
+    std::uint64_t dispatches = 0;
+    std::uint64_t uploaded = 0;  ///< bytes of write_buffer
+    std::uint64_t read = 0;      ///< bytes of read_buffer
+};
+
 class Device {
 public:
     Device() = default;
@@ -135,6 +143,7 @@ public:
 
     const DeviceInfo& info() const;
     const Limits& limits() const { return info().limits; }
+    const Traffic& traffic() const;
     Queue queue() const;
     /// New memory holds zeros.
     Buffer create_buffer(const BufferDescriptor& descriptor);

@@ -1,5 +1,7 @@
 #include "gpu/validation.hpp"
 
+#include <algorithm>
+
 namespace tessera::gpu {
 
 namespace {
@@ -43,6 +45,12 @@ void mark_timestamps_written(const detail::Recording& recording) {
     }
 }
 
+std::uint64_t count_dispatches(const detail::Recording& recording) {
+    return static_cast<std::uint64_t>(std::ranges::count_if(recording.commands, [](const Command& command) {
+        return std::holds_alternative<Dispatch>(command) || std::holds_alternative<DispatchIndirect>(command);
+    }));
+}
+
 }  // namespace
 
 void Queue::submit(const CommandBuffer& commands) {
@@ -61,6 +69,8 @@ void Queue::submit(const CommandBuffer& commands) {
     const detail::Recording recording = std::move(buffer.recording);  // let go of its objects on return
     mark_timestamps_written(recording);
     if (!recording.commands.empty()) {
+        ++device.traffic.submits;
+        device.traffic.dispatches += count_dispatches(recording);
         device.backend->submit(recording.commands);
     }
 }
@@ -71,6 +81,7 @@ void Queue::write_buffer(const Buffer& buffer, std::uint64_t offset, std::span<c
         detail::require_buffer(buffer, device, "write_buffer", BufferUsage::copy_destination);
     detail::require_range(target, "write_buffer", offset, data.size());
     if (!data.empty()) {
+        device.traffic.uploaded += data.size();
         device.backend->write_buffer(*target.object, offset, data);
     }
 }
@@ -82,6 +93,7 @@ void Queue::read_buffer(const Buffer& buffer, std::uint64_t offset, std::span<st
     if (data.empty()) {
         device.backend->wait();
     } else {
+        device.traffic.read += data.size();
         device.backend->read_buffer(*source.object, offset, data);
     }
 }

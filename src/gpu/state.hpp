@@ -20,6 +20,7 @@ struct DeviceState {
     std::unique_ptr<Backend> backend;
     std::map<std::string, std::unique_ptr<PipelineState>, std::less<>> pipelines;  // by name of the kernel
     std::uint64_t recordings = 0;                                                  // made so far; numbers them from 1
+    Traffic traffic;
 };
 
 struct BufferState {

@@ -1,5 +1,5 @@
 // Hands the factors of one patch to the fixed-function tessellator. Compiled twice: with SURFACE it also makes what
-// fixed_function.tese evaluates, a PN triangle as in Vlachos, Peters, Boyd, Mitchell: Curved PN Triangles, 2001.
+// fixed_function.tese evaluates (with TEXTURE_COORDINATES: timed_draw.tese), a PN triangle as in Vlachos, Peters, Boyd, Mitchell: Curved PN Triangles, 2001.
 // Written from the paper, in its notation, so that it shares nothing with the kernels that it judges.
 #version 450
 
@@ -17,6 +17,10 @@ layout(std430, set = 0, binding = 1) readonly buffer Corners { float corners[]; 
 
 layout(location = 0) patch out vec3 points[10];  // P1 P2 P3 b210 b120 b021 b012 b102 b201 b111
 layout(location = 10) patch out vec3 normals[6];  // N1 N2 N3 n110 n011 n101
+
+#ifdef TEXTURE_COORDINATES
+layout(location = 16) patch out vec2 texture_coordinates[3];
+#endif
 
 vec3 load(uint at) {
     return vec3(corners[at], corners[at + 1], corners[at + 2]);
@@ -51,6 +55,10 @@ void make_surface(uint patch_number) {
     points = vec3[](p1, p2, p3, b210, b120, b021, b012, b102, b201, b111);
     normals = vec3[](n1, n2, n3, edge_normal(p1, n1, p2, n2), edge_normal(p2, n2, p3, n3),
                      edge_normal(p3, n3, p1, n1));
+#ifdef TEXTURE_COORDINATES
+    texture_coordinates = vec2[](vec2(corners[at + 6], corners[at + 7]), vec2(corners[at + 14], corners[at + 15]),
+                                 vec2(corners[at + 22], corners[at + 23]));
+#endif
 }
 #endif
 
