@@ -16,7 +16,7 @@ TEST(Program, TellsItsVersion) {
 TEST(Program, HelpNamesEveryCommandAndExitCode) {
     const Result result = run({"--help"});
     EXPECT_EQ(result.code, 0);
-    for (const char* word : {"render", "tessellate", "verify", "pattern", "devices", "Exit codes"}) {
+    for (const char* word : {"render", "tessellate", "verify", "diff", "pattern", "devices", "Exit codes"}) {
         EXPECT_NE(result.output.find(word), std::string::npos) << word;
     }
 }
@@ -36,7 +36,7 @@ TEST_P(Command, UnknownOptionsAreAMatterOfUsage) {
     EXPECT_NE(result.errors, "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Command, testing::Values("render", "tessellate", "verify", "pattern", "devices"),
+INSTANTIATE_TEST_SUITE_P(Of, Command, testing::Values("render", "tessellate", "verify", "diff", "pattern", "devices"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(Program, WrongCallsAreAMatterOfUsage) {
