@@ -17,16 +17,22 @@ struct Words {
     std::string first, second, output;
     compare::CompareOptions options;
     double max_flip = 0.0;
-    std::uint64_t max_outliers = 0;
+    std::int64_t max_outliers = 0;
     bool json = false;
 };
 
 /// A tolerance is a gate of its own: nothing may lie outside it, unless a number of outliers is allowed.
 compare::Gates gates_from(const CLI::App& command, const Words& words) {
     compare::Gates gates;
-    if (command.count("--max-flip") > 0) gates.max_flip = words.max_flip;
+    if (command.count("--max-flip") > 0) {
+        if (!(words.max_flip >= 0.0 && words.max_flip <= 1.0)) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("The mean of FLIP is in [0, 1]; --max-flip {} is not.", words.max_flip));
+        }
+        gates.max_flip = words.max_flip;
+    }
     if (command.count("--max-outliers") > 0 || command.count("--tolerance") > 0) {
-        gates.max_outliers = words.max_outliers;
+        gates.max_outliers = static_cast<std::uint64_t>(words.max_outliers);
     }
     return gates;
 }
@@ -113,8 +119,7 @@ void add_diff_command(CLI::App& app, Context& context) {
     command->add_option("first", words->first, "A PNG or JPEG")->required();
     command->add_option("second", words->second, "Another of the same size")->required();
     command->add_option("-o,--output", words->output, "A PNG to write: the FLIP error of every pixel as a heat map");
-    command->add_option("--max-flip", words->max_flip, "FAIL where the mean of FLIP is above this")
-        ->check(CLI::Range(0.0, 1.0));
+    command->add_option("--max-flip", words->max_flip, "FAIL where the mean of FLIP is above this, 0 to 1");
     command
         ->add_option("--tolerance", words->options.tolerance,
                      "Of a channel in 8-bit steps; a pixel outside it is an outlier unless the other picture has such "
@@ -122,6 +127,7 @@ void add_diff_command(CLI::App& app, Context& context) {
         ->check(CLI::Range(0, 255))
         ->capture_default_str();
     command->add_option("--max-outliers", words->max_outliers, "FAIL where more pixels than this are outliers")
+        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command
         ->add_option("--ppd", words->options.pixels_per_degree,
