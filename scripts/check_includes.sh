@@ -37,6 +37,7 @@ oneapi:      backends/reference compare
 CLI:         cli
 tiny_gltf.h: scene
 stb:         image
+zlib.h:      image
 "
 
 find . \( -path ./build -o -path ./out -o -path ./.git \) -prune -o \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' \) -print |
