@@ -56,11 +56,11 @@ double sane_ratio(double value, double otherwise) {
     return std::isfinite(value) && value > 0.0 ? std::clamp(value, 1e-4, 1e4) : otherwise;
 }
 
-/// A place that single precision holds.
-glm::dvec3 finite_place(const glm::dvec3& place) {
+/// The place with numbers of at most `limit`.
+glm::dvec3 finite_place(const glm::dvec3& place, double limit) {
     glm::dvec3 result(0.0);
     for (int axis = 0; axis < 3; ++axis)
-        result[axis] = std::isnan(place[axis]) ? 0.0 : std::clamp(place[axis], -1e38, 1e38);
+        result[axis] = std::isnan(place[axis]) ? 0.0 : std::clamp(place[axis], -limit, limit);
     return result;
 }
 
@@ -73,7 +73,7 @@ Camera make_camera(const Viewpoint& viewpoint, const Bounds& bounds, float aspec
     const double scale = scale_to_one(std::max({box.half.x, box.half.y, box.half.z}));
 
     // Depth of the box's corners is within half a diagonal of the centre; another diagonal is room to swell.
-    const glm::dvec3 eye = finite_place(viewpoint.eye);
+    const glm::dvec3 eye = finite_place(viewpoint.eye, 1e45);
     const double away = std::clamp(glm::dot(eye - box.centre, viewpoint.axes[2]), -1e30 / scale, 1e30 / scale);
     double far_plane = std::max((away + 1.5 * diagonal) * scale, 2e-6);
     const double nearest = (away - 1.5 * diagonal) * scale;
@@ -90,7 +90,7 @@ Camera make_camera(const Viewpoint& viewpoint, const Bounds& bounds, float aspec
     const double half_width = half_height * ratio;
 
     Camera camera;
-    camera.eye = glm::vec3(eye);
+    camera.eye = glm::vec3(finite_place(eye, 3.4e38));
     // The eye along the camera's axes. From beyond what single precision holds nothing would be seen anyhow.
     const glm::dvec3 place = glm::clamp(glm::transpose(viewpoint.axes) * eye * scale, -1e30, 1e30);
     for (int row = 0; row < 3; ++row) {
