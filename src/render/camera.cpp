@@ -85,7 +85,10 @@ Camera make_camera(const Viewpoint& viewpoint, const Bounds& bounds, float aspec
     // In camera space a flat image has a size; one in perspective has slopes.
     const double ratio = sane_ratio(aspect, 1.0);
     const double unit = flat ? scale : 1.0;
-    const auto sane_half = [&](double half) { return flat ? std::clamp(half, 1e-15, 1e15) : sane_ratio(half, 0.3); };
+    const auto sane_half = [&](double half) {
+        if (!flat) return sane_ratio(half, 0.3);
+        return std::isnan(half) ? 1.0 : std::clamp(half, 1e-15, 1e15);
+    };
     const double half_height = sane_half(std::max(viewpoint.half_height, viewpoint.half_width / ratio) * unit);
     const double half_width = half_height * ratio;
 
