@@ -22,7 +22,7 @@ void TurntableFraming::add(const glm::vec3& point) {
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) return;
     const glm::dvec3 place = glm::dvec3(point) - centre_;
     const double number = std::clamp(std::floor(place.y / step_), -double{rings_each_way}, double{rings_each_way});
-    Ring& ring = rings_[static_cast<std::size_t>(static_cast<int>(number) + rings_each_way)];
+    Ring& ring = rings_[static_cast<std::size_t>(number + double{rings_each_way})];
     const double radius = std::hypot(place.x, place.z);
     ring.low = ring.radius < 0.0 ? place.y : std::min(ring.low, place.y);
     ring.high = ring.radius < 0.0 ? place.y : std::max(ring.high, place.y);
