@@ -3,10 +3,12 @@
 //   patches::make_patches meshes become patches over scaled control vertices
 //   tessellate            patches become vertices and indices on any gpu::Device
 //   exporting, render     those become a file or a picture
+//   compare::compare      two pictures become numbers
 #pragma once
 
 #include "backends/registry.hpp"
 #include "base/error.hpp"
+#include "compare/verdict.hpp"
 #include "export/mesh_writer.hpp"
 #include "image/image.hpp"
 #include "patches/patches.hpp"
