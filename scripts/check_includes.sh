@@ -13,6 +13,7 @@ base:
 gpu:                base
 kernels/build:      base kernels gpu
 image:              base
+compare:            base image
 scene:              base image
 patches:            base kernels scene
 tessellate:         base kernels gpu patches
@@ -26,18 +27,19 @@ backends/opencl:    base kernels gpu backends
 backends/vulkan:    base kernels gpu image scene tessellate render verify bench backends
 registry.cpp:       base gpu render verify bench backends backends/reference backends/opencl backends/vulkan
 peers:
-tessera.hpp:        base gpu image scene patches tessellate export render verify backends
-cli:                base gpu image scene patches tessellate export render verify bench backends peers
+tessera.hpp:        base gpu image compare scene patches tessellate export render verify backends
+cli:                base gpu image compare scene patches tessellate export render verify bench backends peers
 "
 
 # <header>, by its first folder or name: the rooms that may include it.
 outside="
 vulkan:      backends/vulkan
 CL:          backends/opencl
-oneapi:      backends/reference bench
+oneapi:      backends/reference bench compare
 CLI:         cli
 tiny_gltf.h: scene
 stb:         image
+zlib.h:      image
 "
 
 find . \( -path ./build -o -path ./out -o -path ./.git \) -prune -o \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' \) -print |

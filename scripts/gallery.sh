@@ -47,3 +47,10 @@ panel round "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460
 beside figure.png "$panels/split.png" "$panels/cracks.png" "$panels/round.png"
 pair spot.png "$models/spot/spot_control_mesh.obj" 150,10
 pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22
+
+"$tessera" --quiet render assets/figure.glb -o "$panels/compare.png" --compare linear,phong,pn --size 420x460 --factor 8
+beside compare.png "$panels/compare.png"
+"$tessera" --quiet render assets/rabbit.glb -o "$panels/turn.png" --turntable 6 --orbit -38,14 --size 210x300 --factor 8
+beside turntable.png "$panels"/turn-00[0-5].png
+"$tessera" --quiet diff "$panels/coarse.png" "$panels/smooth.png" -o "$panels/heat.png" >/dev/null || [ $? -eq 1 ]
+beside diff.png "$panels/coarse.png" "$panels/smooth.png" "$panels/heat.png"

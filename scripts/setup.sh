@@ -13,7 +13,8 @@ set -eu
 # The one list. Build, libraries, kernels, devices, tests.
 packages="
 g++ cmake ninja-build
-libfmt-dev libglm-dev nlohmann-json3-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libstb-dev libcli11-dev libnanoflann-dev
+libfmt-dev libglm-dev nlohmann-json3-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libstb-dev libcli11-dev
+libnanoflann-dev zlib1g-dev
 glslang-tools glslang-dev spirv-tools libvulkan-dev opencl-c-headers
 mesa-vulkan-drivers vulkan-validationlayers pocl-opencl-icd ocl-icd-libopencl1
 libgtest-dev librapidcheck-dev libbenchmark-dev libosd-dev

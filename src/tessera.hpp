@@ -5,10 +5,12 @@
 //   tessellate            patches become vertices and indices on any gpu::Device
 //   tessellate_hair       hair patches become ribbons; SceneTessellator makes both
 //   exporting, render     those become a file or a picture
+//   compare::compare      two pictures become numbers
 #pragma once
 
 #include "backends/registry.hpp"
 #include "base/error.hpp"
+#include "compare/verdict.hpp"
 #include "export/mesh_writer.hpp"
 #include "image/image.hpp"
 #include "patches/hair.hpp"

@@ -24,6 +24,7 @@ void add_render_command(CLI::App& app, Context& context);
 void add_tessellate_command(CLI::App& app, Context& context);
 void add_pattern_command(CLI::App& app, Context& context);
 void add_verify_command(CLI::App& app, Context& context);
+void add_diff_command(CLI::App& app, Context& context);
 
 /// Prints a line on stderr unless the program is quiet.
 void say(const Context& context, const std::string& line);

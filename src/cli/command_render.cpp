@@ -1,19 +1,23 @@
-// tessera render: a model in, a picture out.
+// tessera render: a model in, a picture or several out.
 #include "backends/registry.hpp"
 #include "base/error.hpp"
+#include "cli/camera_options.hpp"
 #include "cli/command.hpp"
 #include "cli/hair_words.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
+#include "cli/picture_output.hpp"
 #include "cli/progress.hpp"
+#include "image/panels.hpp"
 #include "render/mesh_sinks.hpp"
+#include "render/survey.hpp"
 #include "tessellate/scene_tessellator.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
-#include <glm/trigonometric.hpp>
 #include <memory>
+#include <numbers>
 
 namespace tessera::cli {
 namespace {
@@ -24,9 +28,13 @@ struct Words {
     LoadWords load;
     HairWords hair;
     std::string size = "1024x1024";
-    std::vector<double> camera;
+    CameraWords camera;
     std::string shading = "phong";
     bool transparent = false;
+    std::vector<std::string> compare;
+    std::uint32_t turntable = 0;  // frames, or 0 for one picture
+    std::uint32_t frames_per_second = 25;
+    bool apng = false;
 };
 
 std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
@@ -47,26 +55,73 @@ std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
                             words));
 }
 
-render::View parse_view(const std::vector<double>& camera) {
-    render::View view;
-    if (!camera.empty()) view.azimuth = static_cast<float>(glm::radians(camera[0]));
-    if (camera.size() > 1) view.elevation = static_cast<float>(glm::radians(camera[1]));
-    if (camera.size() > 2) view.distance = static_cast<float>(camera[2]);
-    if (camera.size() > 3) view.field_of_view = static_cast<float>(glm::radians(camera[3]));
-    if (!(view.distance > 0.0f) || !(view.field_of_view > 0.0f) || !(view.field_of_view < 3.0f)) {
-        throw Error(ErrorKind::usage,
-                    "The camera needs a distance above 0 and a field of view from 1 to 170 degrees; write "
-                    "AZIMUTH,ELEVATION[,DISTANCE[,FIELD_OF_VIEW]].");
-    }
-    return view;
-}
-
 render::Shading parse_shading(const std::string& name) {
     if (name == "phong") return render::Shading::phong;
     if (name == "normals") return render::Shading::normals;
     if (name == "wireframe") return render::Shading::wireframe;
     throw Error(ErrorKind::usage,
                 fmt::format("There is no shading named \"{}\"; choose phong, normals or wireframe.", name));
+}
+
+/// A part of the picture, with a surface of its own.
+struct Cell {
+    std::string scheme;
+    std::unique_ptr<SceneTessellator> tessellator;
+};
+
+std::vector<Cell> make_cells(const Words& words, const gpu::Device& device, const patches::PatchSet& patches,
+                             const patches::HairSet& hair, const HairOptions& hair_options) {
+    std::vector<std::string> schemes = words.compare;
+    if (schemes.empty()) schemes.push_back(words.job.scheme);
+    std::vector<Cell> cells;
+    for (const std::string& scheme : schemes) {
+        JobWords job = words.job;
+        job.scheme = scheme;
+        cells.push_back({scheme, std::make_unique<SceneTessellator>(device, patches, resolve(job, patches), hair, hair_options)});
+    }
+    return cells;
+}
+
+bool is_animation(const Words& words) {
+    return words.apng || std::filesystem::path(words.output).extension() == ".apng";
+}
+
+PictureOutput make_output(const Words& words) {
+    using Kind = PictureOutput::Kind;
+    const std::uint32_t frames = std::max(words.turntable, 1u);
+    const Kind kind = is_animation(words) ? Kind::animation : words.turntable > 0 ? Kind::sequence : Kind::single;
+    return {words.output, kind, frames, words.frames_per_second};
+}
+
+/// Runs one after the other share a progress line.
+class Steps {
+public:
+    Steps(Progress& progress, std::size_t count) : progress_(progress), count_(static_cast<double>(count)) {}
+    void run(SceneTessellator& tessellator, MeshSink& sink) {
+        tessellator.run(sink, Space::kernel, [&](double f) { progress_.update((done_ + f) / count_); });
+        done_ += 1.0;
+    }
+
+private:
+    Progress& progress_;
+    double count_, done_ = 0.0;
+};
+
+/// All cells under one camera, side by side if there are several.
+image::Image draw(std::vector<Cell>& cells, const render::Frame& frame, const scene::Scene& scene,
+                  render::Rasteriser& rasteriser, Steps& steps) {
+    std::vector<image::Panel> panels;
+    for (Cell& cell : cells) {
+        const MeshTotals& totals = cell.tessellator->totals();
+        rasteriser.begin(frame);
+        rasteriser.set_materials(scene.materials, scene.images);
+        render::DrawSink sink(rasteriser, totals.parts);
+        steps.run(*cell.tessellator, sink);
+        panels.push_back({rasteriser.finish(), fmt::format("{}, {} triangles", cell.scheme, totals.index_count / 3)});
+    }
+    if (panels.size() == 1) return std::move(panels.front().picture);
+    const image::Rgba grey{244, 245, 247, 255};  // the default background
+    return image::beside(panels, frame.background.a > 0.0f ? grey : image::Rgba{});
 }
 
 int run(const Context& context, const Words& words) {
@@ -76,37 +131,44 @@ int run(const Context& context, const Words& words) {
     if (words.transparent) {
         frame.background = glm::vec4(0.0f);
     }
-    const render::View view = parse_view(words.camera);
     scene::Scene scene = load(context, words.input, words.load);
+    const render::CameraChoice camera = resolve(words.camera, scene);
     // What blends is drawn last, over what is behind it.
     std::stable_partition(scene.meshes.begin(), scene.meshes.end(), [&](const scene::Mesh& mesh) {
         return scene.materials[mesh.material].alpha_mode != scene::AlphaMode::blend;
     });
     const patches::PatchSet patches = surface_patches(scene);
     const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
-    const TessellationOptions options = resolve(words.job, patches);
     const HairOptions hair_options = resolve_hair(words.hair, Ribbons::camera, words.job.memory_budget);
+    PictureOutput output = make_output(words);
     gpu::Device device = backends::open_device(words.device);
+    std::vector<Cell> cells = make_cells(words, device, patches, hair, hair_options);
     const auto rasteriser = backends::open_rasteriser(device.info().rasteriser ? device.info().id : "");
 
-    SceneTessellator tessellator(device, patches, options, hair, hair_options);
+    const std::uint32_t frames = std::max(words.turntable, 1u);
     Progress progress("rendering", context.quiet);
-    // The surface swells out of its coarse mesh, so the frame is fitted to the output itself: one run to fit, one to
-    // draw. Memory stays within the budget either way.
-    render::FramingSink framing(view, static_cast<float>(frame.width) / static_cast<float>(frame.height));
-    tessellator.run(framing, Space::kernel, [&](double f) { progress.update(0.3 * f); });
-    frame.camera = framing.camera();
-    if (hair_options.ribbons == Ribbons::camera && words.hair.eye.empty()) {
-        tessellator.face(frame.camera.eye);
+    Steps steps(progress, cells.size() * (1 + std::size_t{frames}));
+    // The surface swells out of its coarse mesh, so cameras are fitted to the output itself: one run to fit, one for
+    // each frame. Memory stays within the budget either way.
+    render::Survey survey(render::scaled(camera, patches.exponent),
+                          static_cast<float>(frame.width) / static_cast<float>(frame.height), words.turntable > 0,
+                          render::bounds_of(patches.control_vertices));
+    for (Cell& cell : cells)
+        steps.run(*cell.tessellator, survey);
+    const bool facing = hair_options.ribbons == Ribbons::camera && words.hair.eye.empty();
+    for (std::uint32_t i = 0; i < frames; ++i) {
+        frame.camera = survey.camera(2.0 * std::numbers::pi * i / frames);
+        for (Cell& cell : cells) {
+            if (facing) cell.tessellator->face(frame.camera.eye);
+        }
+        output.add(draw(cells, frame, scene, *rasteriser, steps));
     }
-    rasteriser->begin(frame);
-    rasteriser->set_materials(scene.materials, scene.images);
-    render::DrawSink draw(*rasteriser, tessellator.totals().parts);
-    tessellator.run(draw, Space::kernel, [&](double f) { progress.update(0.3 + 0.7 * f); });
-    image::write_png(rasteriser->finish(), words.output);
-    say(context, fmt::format("{}: {} patches -> {} triangles on {} ({})", words.output,
-                             patches.patch_count() + hair.patches.size(), tessellator.totals().index_count / 3,
-                             device.info().id, device.info().name));
+    const std::string written = output.finish();
+    for (const Cell& cell : cells) {
+        say(context, fmt::format("{}: {}, {} patches -> {} triangles on {} ({})", written, cell.scheme,
+                                 patches.patch_count() + hair.patches.size(),
+                                 cell.tessellator->totals().index_count / 3, device.info().id, device.info().name));
+    }
     return exit_fine;
 }
 
@@ -114,25 +176,35 @@ int run(const Context& context, const Words& words) {
 
 void add_render_command(CLI::App& app, Context& context) {
     const auto words = std::make_shared<Words>();
-    CLI::App* command = app.add_subcommand("render", "Tessellate a model and draw it into a PNG");
-    command->footer("Example: tessera render fox.glb -o fox.png --factor 8 --camera 40,15 --size 1280x960");
+    CLI::App* command =
+        app.add_subcommand("render", "Tessellate a model and draw it into a PNG, a sequence or an animation");
+    command->footer("Example: tessera render fox.glb -o fox.png --factor 8 --orbit 40,15 --size 1280x960");
     command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")
         ->required();
-    command->add_option("-o,--output", words->output, "The PNG to write")->required();
+    command
+        ->add_option("-o,--output", words->output,
+                     "The PNG to write; with --turntable turn.png stands for turn-000.png, turn-001.png, ..., "
+                     "frame%03d.png for frame000.png, ..., and an .apng is an animation")
+        ->required();
     command
         ->add_option("--device", words->device,
                      "Where to tessellate: reference, vulkan[:index or name] or "
                      "opencl[:index or name]")
         ->capture_default_str();
-    command->add_option("--size", words->size, "WIDTHxHEIGHT in pixels, up to 8192x8192")->capture_default_str();
-    command
-        ->add_option("--camera", words->camera,
-                     "AZIMUTH,ELEVATION[,DISTANCE[,FIELD_OF_VIEW]]: degrees around the model and "
-                     "above it, distance in units of the one that just fits")
-        ->delimiter(',')
-        ->expected(1, 4);
+    command->add_option("--size", words->size, "WIDTHxHEIGHT in pixels, up to 8192x8192; of each scheme with --compare")
+        ->capture_default_str();
+    add_camera_options(*command, words->camera);
     command->add_option("--shading", words->shading, "phong, normals or wireframe")->capture_default_str();
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
+    command->add_option("--compare", words->compare, "Schemes side by side under one camera: linear,phong,pn")
+        ->delimiter(',')
+        ->expected(1, 16);
+    command->add_option("--turntable", words->turntable, "Write this many pictures, once around the model")
+        ->check(CLI::Range(1, 10000));
+    command->add_flag("--apng", words->apng, "Write one animated PNG, whatever its name");
+    command->add_option("--fps", words->frames_per_second, "Frames per second of an animated PNG")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
     add_hair_options(*command, words->hair, "camera");

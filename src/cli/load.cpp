@@ -1,6 +1,7 @@
 #include "cli/load.hpp"
 
 #include "base/error.hpp"
+#include "scene/file_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -33,6 +34,13 @@ scene::Scene load(const Context& context, const std::string& input, const LoadWo
         say(context, message);
     }
     return scene;
+}
+
+image::Image load_picture(const std::string& path) {
+    constexpr std::uint64_t most_bytes = 1ull << 31;  // as image::decode takes
+    const scene::FileBytes file = scene::read_file(path, most_bytes);
+    if (file.problem) throw Error(ErrorKind::usage, fmt::format("{}: the picture {}.", path, *file.problem));
+    return image::decode(file.bytes, path);
 }
 
 }  // namespace tessera::cli

@@ -1,4 +1,4 @@
-// Loading a model for a command: messages are said, a model without faces is an error (of make_patches).
+// Loading a model for a command: messages are said, a model without faces is an error (of make_patches). And pictures.
 #pragma once
 
 #include "cli/command.hpp"
@@ -19,5 +19,8 @@ void add_load_options(CLI::App& command, LoadWords& words);
 
 /// Throws Error(usage) for words that make no sense and for files that cannot be read.
 scene::Scene load(const Context& context, const std::string& input, const LoadWords& words);
+
+/// Reads a PNG or JPEG file. Throws Error(usage).
+image::Image load_picture(const std::string& path);
 
 }  // namespace tessera::cli

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
     add_render_command(app, context);
     add_tessellate_command(app, context);
     add_verify_command(app, context);
+    add_diff_command(app, context);
     add_pattern_command(app, context);
     add_bench_command(app, context);
     add_devices_command(app, context);

@@ -4,12 +4,6 @@
 
 namespace tessera::render {
 
-void FramingSink::append(const MeshBatch& batch) {
-    for (const Vertex& vertex : batch.vertices) {
-        framing_.add({vertex.position[0], vertex.position[1], vertex.position[2]});
-    }
-}
-
 void DrawSink::append(const MeshBatch& batch) {
     const std::uint64_t batch_end = batch.first_index + batch.indices.size();
     for (const MeshPart& part : parts_) {

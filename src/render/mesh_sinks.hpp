@@ -1,21 +1,9 @@
-// Receivers of tessellation output on its way to a picture.
+// The receiver of tessellation output on its way to a picture.
 #pragma once
 
 #include "render/rasteriser.hpp"
 
 namespace tessera::render {
-
-/// Fits a camera to everything it receives.
-class FramingSink : public MeshSink {
-public:
-    FramingSink(const View& view, float aspect) : framing_(view, aspect) {}
-
-    void append(const MeshBatch& batch) override;
-    Camera camera() const { return framing_.camera(); }
-
-private:
-    Framing framing_;
-};
 
 /// Draws what it receives, each part with its material.
 class DrawSink : public MeshSink {

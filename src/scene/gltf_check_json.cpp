@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 3> supported_extensions{"FB_ngon_encoding
                                                                "KHR_texture_transform"};
 
 struct Sizes {
-    std::size_t accessors, buffers, buffer_views, images, materials, meshes, nodes, samplers, scenes, skins, textures;
+    std::size_t accessors, buffers, buffer_views, cameras, images, materials, meshes, nodes, samplers, scenes, skins,
+        textures;
 };
 
 void check_asset(JsonObject& asset) {
@@ -105,12 +106,40 @@ void check_node(JsonObject& node, const Sizes& sizes) {
     node.string("name");
     node.references("children", sizes.nodes);
     node.reference("mesh", sizes.meshes);
+    node.reference("camera", sizes.cameras);
     node.reference("skin", sizes.skins);
     node.numbers("matrix", 16);
     node.numbers("rotation", 4);
     node.numbers("scale", 3);
     node.numbers("translation", 3);
     node.numbers("weights", 0);
+}
+
+CameraSource read_camera(JsonObject& camera) {
+    CameraSource source;
+    source.name = camera.string("name").value_or("");
+    const std::string type = camera.string("type", Need::required).value();
+    if (type != "perspective" && type != "orthographic") {
+        camera.refuse("type", "is " + in_quotes(type) + ", but must be perspective or orthographic");
+    }
+    source.orthographic = type == "orthographic";
+    camera.object("perspective", [&](JsonObject& perspective) {
+        source.field_of_view = perspective.number("yfov");
+        source.aspect = perspective.number("aspectRatio");
+        if (!source.orthographic) {
+            source.near_plane = perspective.number("znear");
+            source.far_plane = perspective.number("zfar");
+        }
+    });
+    camera.object("orthographic", [&](JsonObject& orthographic) {
+        source.half_width = orthographic.number("xmag");
+        source.half_height = orthographic.number("ymag");
+        if (source.orthographic) {
+            source.near_plane = orthographic.number("znear");
+            source.far_plane = orthographic.number("zfar");
+        }
+    });
+    return source;
 }
 
 void check_material(JsonObject& material, const Sizes& sizes, Diagnostics& diagnostics) {
@@ -167,9 +196,6 @@ void note_what_is_not_read(JsonObject& root, Diagnostics& diagnostics) {
     if (const auto count = root.size_of("animations")) {
         diagnostics.note(fmt::format("{} animation(s) are ignored: the model is taken in its rest pose.", count));
     }
-    if (const auto count = root.size_of("cameras")) {
-        diagnostics.note(fmt::format("{} camera(s) are ignored.", count));
-    }
 }
 
 }  // namespace
@@ -179,14 +205,15 @@ CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics)
     JsonObject root(document, checked.json, "", diagnostics);
     root.object("asset", check_asset, Need::required);
     check_extensions(root, diagnostics);
-    const Sizes sizes{root.size_of("accessors"), root.size_of("buffers"),   root.size_of("bufferViews"),
-                      root.size_of("images"),    root.size_of("materials"), root.size_of("meshes"),
-                      root.size_of("nodes"),     root.size_of("samplers"),  root.size_of("scenes"),
-                      root.size_of("skins"),     root.size_of("textures")};
+    const Sizes sizes{root.size_of("accessors"), root.size_of("buffers"), root.size_of("bufferViews"),
+                      root.size_of("cameras"),   root.size_of("images"),  root.size_of("materials"),
+                      root.size_of("meshes"),    root.size_of("nodes"),   root.size_of("samplers"),
+                      root.size_of("scenes"),    root.size_of("skins"),   root.size_of("textures")};
     std::vector<bool> has_view;
     root.objects("accessors", [&](JsonObject& accessor) { has_view.push_back(check_accessor(accessor, sizes)); });
     check_images_and_buffers(root, sizes, checked);
     root.objects("bufferViews", [&](JsonObject& view) { check_buffer_view(view, sizes); });
+    root.objects("cameras", [&](JsonObject& camera) { checked.cameras.push_back(read_camera(camera)); });
     root.objects("materials", [&](JsonObject& material) { check_material(material, sizes, diagnostics); });
     root.objects("meshes", [&](JsonObject& mesh) {
         mesh.string("name");
@@ -213,6 +240,7 @@ CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics)
     note_what_is_not_read(root, diagnostics);
     checked.json.erase("buffers");
     checked.json.erase("images");
+    checked.json.erase("cameras");
     return checked;
 }
 

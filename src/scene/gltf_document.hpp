@@ -26,18 +26,27 @@ struct ImageSource {
     std::optional<std::int64_t> buffer_view;
 };
 
-/// The members of the JSON text that this library reads, with types, ranges and references checked; buffers and
-/// images, whose bytes come from outside the JSON, are kept apart.
+/// A camera as the JSON text has it; nothing but types is checked.
+struct CameraSource {
+    std::string name;
+    bool orthographic = false;
+    std::optional<double> field_of_view, aspect, half_width, half_height, near_plane, far_plane;
+};
+
+/// The members of the JSON text that this library reads, with types, ranges and references checked. Buffers and
+/// images, whose bytes come from outside the JSON, are kept apart, and cameras, about which tinygltf is strict.
 struct CheckedJson {
     nlohmann::json json;
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
+    std::vector<CameraSource> cameras;
 };
 
 struct Document {
     tinygltf::Model model;                            ///< without its buffers and images
     std::vector<std::span<const std::byte>> buffers;  ///< as long as each buffer's byteLength
     std::vector<ImageSource> images;
+    std::vector<CameraSource> cameras;
     std::filesystem::path folder;
     Diagnostics& diagnostics;
 };

@@ -125,6 +125,7 @@ NodeGraph flatten_nodes(const Document& document) {
         if (visited[i]) return false;
         visited[i] = true;
         if (nodes[i].mesh >= 0) graph.drawn.push_back(node);
+        if (nodes[i].camera >= 0) graph.cameras.push_back(node);
         return true;
     });
     return graph;

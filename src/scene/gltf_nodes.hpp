@@ -11,6 +11,7 @@ namespace tessera::scene {
 struct NodeGraph {
     std::vector<glm::dmat4> world;  ///< of every node, its ancestors included
     std::vector<int> drawn;         ///< nodes with a mesh in the scene shown, depth first, each once
+    std::vector<int> cameras;       ///< likewise, nodes with a camera
 };
 
 /// Takes the default scene, else the first one, else all nodes without a parent. Refuses cycles and nodes with two

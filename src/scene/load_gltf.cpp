@@ -2,6 +2,7 @@
 
 #include "scene/file_bytes.hpp"
 #include "scene/gltf_bake.hpp"
+#include "scene/gltf_cameras.hpp"
 #include "scene/gltf_container.hpp"
 #include "scene/gltf_document.hpp"
 #include "scene/gltf_guides.hpp"
@@ -230,14 +231,19 @@ Scene load_gltf(const std::filesystem::path& path) {
 
     std::vector<std::vector<std::byte>> storage;
     auto buffers = load_buffers(checked.buffers, container.binary, path.parent_path(), storage, diagnostics);
-    const Document document{parse_model(checked.json, diagnostics), std::move(buffers), checked.images,
-                            path.parent_path(), diagnostics};
+    const Document document{parse_model(checked.json, diagnostics),
+                            std::move(buffers),
+                            checked.images,
+                            checked.cameras,
+                            path.parent_path(),
+                            diagnostics};
     check_model(document);
     const NodeGraph graph = flatten_nodes(document);
 
     Scene scene;
     scene.source = path.string();
     load_materials(document, scene);
+    load_cameras(document, graph, scene);
     Assembly assembly(document, graph, scene);
     assembly.add_nodes();
     assembly.note_topology();

@@ -86,12 +86,27 @@ struct Guides {
     std::uint32_t material = 0;       ///< index into Scene::materials; double-sided
 };
 
+/// A camera of the file, in world space. It looks along -axes[2].
+struct Camera {
+    std::string name;  ///< of its node, else its own; may be empty
+    glm::dvec3 eye{0.0};
+    glm::dmat3 axes{1.0};  ///< right, up and back: orthonormal
+    bool orthographic = false;
+    /// Half the height of what it sees: orthographic in the model's units, perspective at distance 1 (the tangent of
+    /// half the angle). Above 0.
+    double half_height = 0.0;
+    double half_width = 0.0;  ///< likewise; 0 where the file leaves it to the image
+    double near_plane = 0.0;  ///< at least 0, in perspective above it
+    double far_plane = 0.0;   ///< above near_plane, may be infinite
+};
+
 struct Scene {
     std::string source;               ///< file or shape name, for messages
     std::vector<Mesh> meshes;         ///< in node order
     std::vector<Guides> guides;       ///< likewise
     std::vector<Material> materials;  ///< at least one
     std::vector<SceneImage> images;
+    std::vector<Camera> cameras;        ///< in node order
     std::vector<std::string> messages;  ///< what was skipped or repaired, a sentence each
 };
 

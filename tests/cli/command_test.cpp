@@ -16,7 +16,8 @@ TEST(Program, TellsItsVersion) {
 TEST(Program, HelpNamesEveryCommandAndExitCode) {
     const Result result = run({"--help"});
     EXPECT_EQ(result.code, 0);
-    for (const char* word : {"render", "tessellate", "verify", "pattern", "bench", "devices", "Exit codes"}) {
+    for (const char* word :
+         {"render", "tessellate", "verify", "diff", "pattern", "bench", "devices", "Exit codes"}) {
         EXPECT_NE(result.output.find(word), std::string::npos) << word;
     }
 }
@@ -36,7 +37,8 @@ TEST_P(Command, UnknownOptionsAreAMatterOfUsage) {
     EXPECT_NE(result.errors, "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Command, testing::Values("render", "tessellate", "verify", "pattern", "bench", "devices"),
+INSTANTIATE_TEST_SUITE_P(Of, Command,
+                         testing::Values("render", "tessellate", "verify", "diff", "pattern", "bench", "devices"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(Program, WrongCallsAreAMatterOfUsage) {
@@ -63,6 +65,29 @@ TEST(Program, WrongCallsAreAMatterOfUsage) {
         {"render", "shape:torus", "-o", folder.file("out.png"), "--size", "0x10"},
         {"render", "shape:torus", "-o", folder.file("out.png"), "--shading", "gouraud"},
         {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "1,2,0"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "0"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "Front"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "target=0,0,0"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,nan"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5,eye=0,0,5"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5,fovy=180"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5,fovy=40,ortho=2"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5,ortho=0"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5,lens=35"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5", "--orbit", "0,0"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--camera", "eye=0,0,5", "--projection",
+         "orthographic"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--orbit", "10"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--orbit", "10,20,1,175"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--orbit", "inf,20"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--projection", "fisheye"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--turntable", "0"},
+        {"render", "shape:torus", "-o", folder.file("out%s.png"), "--turntable", "3"},
+        {"render", "shape:torus", "-o", folder.file("out%d-%d.png"), "--turntable", "3"},
+        {"render", "shape:torus", "-o", folder.file("out%.png"), "--turntable", "3"},
+        {"render", "shape:torus", "-o", folder.file("out.png"), "--compare", "linear,gregory"},
+        {"render", "shape:torus", "-o", folder.file("out.apng"), "--turntable", "3", "--fps", "0"},
         {"pattern"},
         {"pattern", "--factors", "1,2,3"},
         {"pattern", "--factors", "3", "--winding", "left"},

@@ -154,6 +154,16 @@ void expect_sound(const scene::Scene& scene) {
         }
         ASSERT_TRUE(sound) << guides.name << " has an unsound curve";
     }
+    for (const auto& camera : scene.cameras) {
+        for (int axis = 0; axis < 3; ++axis) {
+            ASSERT_TRUE(std::isfinite(camera.eye[axis])) << camera.name;
+            ASSERT_NEAR(glm::length(camera.axes[axis]), 1.0, 1e-9) << camera.name;
+            ASSERT_NEAR(glm::dot(camera.axes[axis], camera.axes[(axis + 1) % 3]), 0.0, 1e-9) << camera.name;
+        }
+        ASSERT_TRUE(camera.half_height > 0.0 && std::isfinite(camera.half_height)) << camera.name;
+        ASSERT_TRUE(camera.half_width >= 0.0 && std::isfinite(camera.half_width)) << camera.name;
+        ASSERT_TRUE(camera.near_plane >= 0.0 && camera.near_plane < camera.far_plane) << camera.name;
+    }
     for (const auto& material : scene.materials) {
         ASSERT_LT(material.base_color_image.value_or(0), std::max<std::size_t>(scene.images.size(), 1));
     }

@@ -11,7 +11,7 @@ namespace {
 using json = nlohmann::json;
 
 /// A sound file with one of everything: an indexed triangle with a sparse accessor, normals, a morph target, a skin,
-/// a texture, a material and a scene.
+/// a texture, a material, a camera and a scene.
 GltfBuilder sound_file() {
     GltfBuilder builder;
     const int positions = builder.add_positions(triangle_positions);                       // accessor 0
@@ -47,6 +47,8 @@ GltfBuilder sound_file() {
     builder.push("samplers", {{"wrapS", 10497}});
     builder.push("textures", {{"source", 0}, {"sampler", 0}});
     builder.push("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    builder.push("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.5}, {"zfar", 5}}}});
+    builder.document["nodes"][1]["camera"] = 0;
     builder.push("scenes", {{"nodes", {0, 1}}});
     builder.document["scene"] = 0;
     builder.document["buffers"] = {{{"byteLength", builder.binary.size()},
