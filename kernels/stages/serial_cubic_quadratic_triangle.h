@@ -5,7 +5,7 @@
 #include "emission.h"
 #include "schemes/basis.h"
 #include "schemes/surface_vertex.h"
-#include "tessellator/triangle.h"
+#include "tessellator/serial_triangle.h"
 
 KERNELS_BEGIN
 
@@ -38,11 +38,21 @@ FUNCTION SurfaceVertex serial_vertex(SerialNet net, DomainPoint point) {
     const Barycentric b = make_barycentric(point.u, point.v);
     const Vector position = evaluate_cubic(cubic_weights(b), net.c0, net.c1, net.c2, net.c01, net.c10, net.c12, net.c21,
                                            net.c20, net.c02, net.centre);
-    const Vector blended =
-        evaluate_quadratic(quadratic_weights(b, 1.0f), net.n0, net.n1, net.n2, net.n01, net.n12, net.n20);
-    return make_surface_vertex(position, blended, blend_linear(b, net.s0, net.s1, net.s2),
+    const Vector normal = blended_normal(
+        evaluate_quadratic(quadratic_weights(b, 1.0f), net.n0, net.n1, net.n2, net.n01, net.n12, net.n20));
+    return make_surface_vertex(position, normal, blend_linear(b, net.s0, net.s1, net.s2),
                                blend_linear(b, net.t0, net.t1, net.t2));
 }
+
+#define SERIAL_VERTEX(at, v)                    \
+    vertex_buffer[at] = (v).position.x;         \
+    vertex_buffer[(at) + 1u] = (v).position.y;  \
+    vertex_buffer[(at) + 2u] = (v).position.z;  \
+    vertex_buffer[(at) + 3u] = (v).normal.x;    \
+    vertex_buffer[(at) + 4u] = (v).normal.y;    \
+    vertex_buffer[(at) + 5u] = (v).normal.z;    \
+    vertex_buffer[(at) + 6u] = (v).s;           \
+    vertex_buffer[(at) + 7u] = (v).t
 
 // Appends one triangle of a row between two rings and moves the cursor.
 #define SERIAL_APPEND(a, b, c)                                                                                         \
@@ -94,13 +104,13 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
     if (!triangle_has_rings(t)) {
         const uint points = triangle_point_count(t);
         for (uint i = 0u; i < points; ++i) {
-            const SurfaceVertex vertex = serial_vertex(net, triangle_point(t, i));
-            STORE_SURFACE_VERTEX(vertex_buffer, vertex_at, vertex);
+            const SurfaceVertex vertex = serial_vertex(net, triangle_plain_point(t, i));
+            SERIAL_VERTEX(vertex_at, vertex);
             vertex_at = vertex_at + VERTEX_FLOATS;
         }
         const uint triangles = triangle_triangle_count(t);
         for (uint i = 0u; i < triangles; ++i) {
-            const Triangle corners = triangle_triangle(t, i);
+            const Triangle corners = triangle_plain_triangle(t, i);
             STORE_TRIANGLE(index_buffer, index_at, base, flip, corners);
             index_at = index_at + 3u;
         }
@@ -113,14 +123,14 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
             const RingSide side = triangle_ring_side(t, r, number);
             for (uint k = 0u; k < side.segments; ++k) {
                 const SurfaceVertex vertex = serial_vertex(net, ring_side_point(side, k));
-                STORE_SURFACE_VERTEX(vertex_buffer, vertex_at, vertex);
+                SERIAL_VERTEX(vertex_at, vertex);
                 vertex_at = vertex_at + VERTEX_FLOATS;
             }
         }
     }
     if (t.inside.odd == 0u) {
         const SurfaceVertex vertex = serial_vertex(net, triangle_centre());
-        STORE_SURFACE_VERTEX(vertex_buffer, vertex_at, vertex);
+        SERIAL_VERTEX(vertex_at, vertex);
     }
 
     // Triangles of the outermost row, stitched in the 31 steps of each half.
@@ -132,7 +142,7 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
     const Ring inner_ring = make_ring(t.outer_points, 3u * inner_segments);
     uint outer_offset = 0u;
     for (uint number = 0u; number < 3u; ++number) {
-        const Edge edge = choose_edge(number, t.edge0, t.edge1, t.edge2);
+        const Edge edge = choose_edge(number == 2u, choose_edge(number == 1u, t.edge0, t.edge1), t.edge2);
         const uint inner_offset = number * inner_segments;
         const uint outer_half = edge.half_points - edge.odd;
         const uint outer_segments = 2u * outer_half + edge.odd;
@@ -195,5 +205,6 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
 }
 
 #undef SERIAL_APPEND
+#undef SERIAL_VERTEX
 
 KERNELS_END
