@@ -12,10 +12,6 @@ KERNELS_BEGIN
 // Squared sine under which two directions count as parallel: an angle of about a thousandth.
 #define RIBBON_PARALLEL 0.00000095367431640625f
 
-FUNCTION Vector cross_product(Vector a, Vector b) {
-    return make_vector(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
 /// A direction with its largest component in [1, 2); `fallback` for zero.
 FUNCTION Vector hair_direction(Vector v, Vector fallback) {
     const Vector d = flush_hair_vector(normalise_exponent(v));
@@ -84,7 +80,7 @@ FUNCTION Vector hair_normal(Vector of_guides, Vector facing) {
 /// around the hair's, 45 degrees to either side.
 FUNCTION SurfaceVertex ribbon_vertex(Vector position, Vector reach, Vector normal, Vector side, float which,
                                      float along) {
-    return make_surface_vertex(add(position, scale(reach, which)), flush_hair_vector(add(normal, scale(side, which))),
+    return make_surface_vertex(add(position, scale(reach, which)), blended_normal(add(normal, scale(side, which))),
                                0.5f + 0.5f * which, along);
 }
 

@@ -39,8 +39,18 @@ FUNCTION SurfaceVertex make_surface_vertex(Vector position, Vector normal, float
     return vertex;
 }
 
-/// Into an array that holds RUN of each word.
-#define STORE_SURFACE_VERTEX(run, k, v)   \
+#define STORE_SURFACE_VERTEX(buffer, at, v) \
+    buffer[at] = (v).position.x;            \
+    buffer[(at) + 1u] = (v).position.y;     \
+    buffer[(at) + 2u] = (v).position.z;     \
+    buffer[(at) + 3u] = (v).normal.x;       \
+    buffer[(at) + 4u] = (v).normal.y;       \
+    buffer[(at) + 5u] = (v).normal.z;       \
+    buffer[(at) + 6u] = (v).s;              \
+    buffer[(at) + 7u] = (v).t
+
+/// As vertex k of an array that holds RUN of each word.
+#define PUT_INTO_RUN(run, k, v)           \
     run[k] = (v).position.x;              \
     run[RUN + (k)] = (v).position.y;      \
     run[2u * RUN + (k)] = (v).position.z; \

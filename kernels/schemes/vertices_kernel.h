@@ -59,7 +59,7 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         float run[RUN * VERTEX_FLOATS];
         FOR_RUN(k) {
             const SurfaceVertex vertex = SURFACE_VERTEX(net, make_domain_point(us[k], vs[k]));
-            STORE_SURFACE_VERTEX(run, k, vertex);
+            PUT_INTO_RUN(run, k, vertex);
         }
         STREAM_VERTICES(vertex_buffer, start, first, count, run);
     }

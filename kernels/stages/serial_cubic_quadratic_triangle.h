@@ -44,16 +44,6 @@ FUNCTION SurfaceVertex serial_vertex(SerialNet net, DomainPoint point) {
                                blend_linear(b, net.t0, net.t1, net.t2));
 }
 
-#define SERIAL_VERTEX(at, v)                    \
-    vertex_buffer[at] = (v).position.x;         \
-    vertex_buffer[(at) + 1u] = (v).position.y;  \
-    vertex_buffer[(at) + 2u] = (v).position.z;  \
-    vertex_buffer[(at) + 3u] = (v).normal.x;    \
-    vertex_buffer[(at) + 4u] = (v).normal.y;    \
-    vertex_buffer[(at) + 5u] = (v).normal.z;    \
-    vertex_buffer[(at) + 6u] = (v).s;           \
-    vertex_buffer[(at) + 7u] = (v).t
-
 // Appends one triangle of a row between two rings and moves the cursor.
 #define SERIAL_APPEND(a, b, c)                                                                                         \
     {                                                                                                                  \
@@ -105,7 +95,7 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
         const uint points = triangle_point_count(t);
         for (uint i = 0u; i < points; ++i) {
             const SurfaceVertex vertex = serial_vertex(net, triangle_plain_point(t, i));
-            SERIAL_VERTEX(vertex_at, vertex);
+            STORE_SURFACE_VERTEX(vertex_buffer, vertex_at, vertex);
             vertex_at = vertex_at + VERTEX_FLOATS;
         }
         const uint triangles = triangle_triangle_count(t);
@@ -123,14 +113,14 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
             const RingSide side = triangle_ring_side(t, r, number);
             for (uint k = 0u; k < side.segments; ++k) {
                 const SurfaceVertex vertex = serial_vertex(net, ring_side_point(side, k));
-                SERIAL_VERTEX(vertex_at, vertex);
+                STORE_SURFACE_VERTEX(vertex_buffer, vertex_at, vertex);
                 vertex_at = vertex_at + VERTEX_FLOATS;
             }
         }
     }
     if (t.inside.odd == 0u) {
         const SurfaceVertex vertex = serial_vertex(net, triangle_centre());
-        SERIAL_VERTEX(vertex_at, vertex);
+        STORE_SURFACE_VERTEX(vertex_buffer, vertex_at, vertex);
     }
 
     // Triangles of the outermost row, stitched in the 31 steps of each half.
@@ -205,6 +195,5 @@ KERNEL6(serial_cubic_quadratic_triangle, READ(0, float, nets), READ(1, uint, rec
 }
 
 #undef SERIAL_APPEND
-#undef SERIAL_VERTEX
 
 KERNELS_END
