@@ -23,6 +23,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define bits_float(x) uintBitsToFloat(x)
 #define to_float(x) float(x)
 #define to_uint(x) uint(x)
+#define to_int(x) int(x)
 
 // Bindings of a kernel: READ and WRITE are storage buffers, UNIFORM is one struct of 32-bit scalars.
 #define READ(slot, type, name)                                                       \
@@ -44,6 +45,9 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define KERNEL4(name, a, b, c, d) a b c d void main()
 #define KERNEL5(name, a, b, c, d, e) a b c d e void main()
 #define KERNEL6(name, a, b, c, d, e, f) a b c d e f void main()
+#define KERNEL7(name, a, b, c, d, e, f, g) a b c d e f g void main()
+#define KERNEL8(name, a, b, c, d, e, f, g, h) a b c d e f g h void main()
+#define KERNEL9(name, a, b, c, d, e, f, g, h, i) a b c d e f g h i void main()
 
 // Index of the work item over both dimensions of the dispatch.
 #define ITEM (gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * uint(WORKGROUP_SIZE)))
@@ -60,6 +64,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define bits_float(x) as_float(x)
 #define to_float(x) ((float)(x))
 #define to_uint(x) ((uint)(x))
+#define to_int(x) ((int)(x))
 
 #define READ(slot, type, name) __global const type* restrict name
 #define WRITE(slot, type, name) __global type* restrict name
@@ -71,6 +76,9 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define KERNEL4(name, a, b, c, d) __kernel void name(a, b, c, d)
 #define KERNEL5(name, a, b, c, d, e) __kernel void name(a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) __kernel void name(a, b, c, d, e, f)
+#define KERNEL7(name, a, b, c, d, e, f, g) __kernel void name(a, b, c, d, e, f, g)
+#define KERNEL8(name, a, b, c, d, e, f, g, h) __kernel void name(a, b, c, d, e, f, g, h)
+#define KERNEL9(name, a, b, c, d, e, f, g, h, i) __kernel void name(a, b, c, d, e, f, g, h, i)
 
 #define ITEM ((uint)get_global_id(0) + (uint)get_global_id(1) * (uint)get_global_size(0))
 
@@ -110,6 +118,7 @@ struct Uniform {
 #define bits_float(x) std::bit_cast<float>(static_cast<uint>(x))
 #define to_float(x) static_cast<float>(x)
 #define to_uint(x) static_cast<uint>(x)
+#define to_int(x) static_cast<int>(x)
 
 #define READ(slot, type, name) Read<slot, type> name
 #define WRITE(slot, type, name) Write<slot, type> name
@@ -121,6 +130,9 @@ struct Uniform {
 #define KERNEL4(name, a, b, c, d) inline void name(Item dispatched, a, b, c, d)
 #define KERNEL5(name, a, b, c, d, e) inline void name(Item dispatched, a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) inline void name(Item dispatched, a, b, c, d, e, f)
+#define KERNEL7(name, a, b, c, d, e, f, g) inline void name(Item dispatched, a, b, c, d, e, f, g)
+#define KERNEL8(name, a, b, c, d, e, f, g, h) inline void name(Item dispatched, a, b, c, d, e, f, g, h)
+#define KERNEL9(name, a, b, c, d, e, f, g, h, i) inline void name(Item dispatched, a, b, c, d, e, f, g, h, i)
 
 #define ITEM dispatched.index
 

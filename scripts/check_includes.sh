@@ -18,14 +18,15 @@ patches:            base scene
 tessellate:         base kernels gpu patches
 export:             base scene tessellate
 render:             base image scene tessellate
+raster:             base kernels gpu image scene tessellate render
 verify:             base gpu patches tessellate
 backends:           base gpu render verify
 backends/reference: base kernels gpu backends
 backends/opencl:    base kernels gpu backends
 backends/vulkan:    base kernels gpu image scene tessellate render verify backends
 registry.cpp:       base gpu render verify backends backends/reference backends/opencl backends/vulkan
-tessera.hpp:        base gpu image scene patches tessellate export render verify backends
-cli:                base gpu image scene patches tessellate export render verify backends
+tessera.hpp:        base gpu image scene patches tessellate export render raster verify backends
+cli:                base gpu image scene patches tessellate export render raster verify backends
 "
 
 # <header>, by its first folder or name: the one room that may include it.

@@ -2,7 +2,8 @@
 //   scene::load_scene     a file becomes meshes and materials
 //   patches::make_patches meshes become patches over scaled control vertices
 //   tessellate            patches become vertices and indices on any gpu::Device
-//   exporting, render     those become a file or a picture
+//   exporting, render,
+//   raster                those become a file or a picture
 #pragma once
 
 #include "backends/registry.hpp"
@@ -10,6 +11,7 @@
 #include "export/mesh_writer.hpp"
 #include "image/image.hpp"
 #include "patches/patches.hpp"
+#include "raster/portable_rasteriser.hpp"
 #include "render/mesh_sinks.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/edge_factors.hpp"

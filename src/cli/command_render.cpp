@@ -5,6 +5,7 @@
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/progress.hpp"
+#include "raster/portable_rasteriser.hpp"
 #include "render/mesh_sinks.hpp"
 #include "tessellate/tessellate.hpp"
 
@@ -24,6 +25,8 @@ struct Words {
     std::string size = "1024x1024";
     std::vector<double> camera;
     std::string shading = "phong";
+    std::string raster = "auto";
+    std::uint32_t samples = 4;
     bool transparent = false;
 };
 
@@ -67,10 +70,25 @@ render::Shading parse_shading(const std::string& name) {
                 fmt::format("There is no shading named \"{}\"; choose phong, normals or wireframe.", name));
 }
 
+/// The device's own rasteriser where it has one that can draw the frame, the portable one elsewhere, unless told.
+std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, const gpu::Device& device,
+                                                    std::uint32_t samples) {
+    const bool has_own = device.info().rasteriser;
+    if (which == "device" && !has_own) {
+        throw Error(ErrorKind::usage, fmt::format("{} has no rasteriser of its own; choose --raster portable.",
+                                                  device.info().id));
+    }
+    if (which == "device" || (which == "auto" && has_own && samples == 4)) {
+        return backends::open_rasteriser(device.info().id);
+    }
+    return raster::open_portable(device);
+}
+
 int run(const Context& context, const Words& words) {
     render::Frame frame;
     std::tie(frame.width, frame.height) = parse_size(words.size);
     frame.shading = parse_shading(words.shading);
+    frame.samples = words.samples;
     if (words.transparent) {
         frame.background = glm::vec4(0.0f);
     }
@@ -83,7 +101,7 @@ int run(const Context& context, const Words& words) {
     const patches::PatchSet patches = patches::make_patches(scene);
     const TessellationOptions options = resolve(words.job, patches);
     gpu::Device device = backends::open_device(words.device);
-    const auto rasteriser = backends::open_rasteriser(device.info().rasteriser ? device.info().id : "");
+    const auto rasteriser = open_rasteriser(words.raster, device, words.samples);
 
     Tessellator tessellator(device, patches, options);
     Progress progress("rendering", context.quiet);
@@ -113,7 +131,7 @@ void add_render_command(CLI::App& app, Context& context) {
     command->add_option("-o,--output", words->output, "The PNG to write")->required();
     command
         ->add_option("--device", words->device,
-                     "Where to tessellate: reference, vulkan[:index or name] or "
+                     "Where to tessellate and draw: reference, vulkan[:index or name] or "
                      "opencl[:index or name]")
         ->capture_default_str();
     command->add_option("--size", words->size, "WIDTHxHEIGHT in pixels, up to 8192x8192")->capture_default_str();
@@ -124,6 +142,15 @@ void add_render_command(CLI::App& app, Context& context) {
         ->delimiter(',')
         ->expected(1, 4);
     command->add_option("--shading", words->shading, "phong, normals or wireframe")->capture_default_str();
+    command
+        ->add_option("--raster", words->raster,
+                     "What draws: device (the GPU's own rasteriser), portable (kernels, the same bits on every device) "
+                     "or auto: device where there is one")
+        ->check(CLI::IsMember({"auto", "device", "portable"}))
+        ->capture_default_str();
+    command->add_option("--samples", words->samples, "Samples per pixel: 4, or 1, which only portable draws")
+        ->check(CLI::IsMember({1, 4}))
+        ->capture_default_str();
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);

@@ -1,0 +1,107 @@
+// Lists of tiles -> the nearest triangle of each sample. Most triangles are smaller than a pixel: what they need is
+// in their record, and only rows and columns of samples within their box are looked at.
+#include "raster/polygon.h"
+#include "raster/tile.h"
+
+KERNELS_BEGIN
+
+KERNEL8(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), READ(3, float, vertices),
+        READ(4, uint, indices), WRITE(5, uint, depths), WRITE(6, uint, visible), UNIFORM(7, DrawParams, params)) {
+    const DrawParams p = LOAD_UNIFORM(params);
+    const TilePart part = tile_part(p, ITEM);
+    if (!part.exists) {
+        return;
+    }
+    const uint first = p.list_at + bins[part.tile];
+    const uint last = p.list_at + bins[part.tile + 1u];
+    const uint unit_log2 = RASTER_SUBPIXELS_LOG2 - p.axis_log2;
+    // Sub-pixels from the middle of the image of sample column and row 0.
+    const int origin_x = (1 << (unit_log2 - 1u)) - to_int(p.columns << (unit_log2 - 1u));
+    const int origin_y = (1 << (unit_log2 - 1u)) - to_int(p.rows << (unit_log2 - 1u));
+    const int axis_mask = (1 << p.axis_log2) - 1;
+    for (uint n = first; n < last; ++n) {
+        const uint triangle = bins[n];
+        const uint columns = bounds[triangle * BOUNDS_WORDS];
+        const uint rows = bounds[triangle * BOUNDS_WORDS + 1u];
+        const int first_row = larger(to_int(rows & 0xffffu), part.first_row);
+        const int last_row = smaller(to_int(rows >> 16u), part.last_row);
+        const int first_column = larger(to_int(columns & 0xffffu), part.first_column);
+        const int last_column = smaller(to_int(columns >> 16u), part.last_column);
+        const uint at = triangle * TRIANGLE_WORDS;
+        const uint flags = records[at + 7u];
+        if ((flags & TRIANGLE_SMALL) != 0u) {
+            const int x0 = to_int(records[at]);
+            const int y0 = to_int(records[at + 1u]);
+            const int d1 = to_int(records[at + 2u]);
+            const int d2 = to_int(records[at + 3u]);
+            const int dx1 = to_int(to_uint(d1) << 16u) >> 16;
+            const int dy1 = d1 >> 16;
+            const int dx2 = to_int(to_uint(d2) << 16u) >> 16;
+            const int dy2 = d2 >> 16;
+            const int least2 = edge_least(dx1, dy1);
+            const int least1 = edge_least(-dx2, -dy2);
+            const int least0 = edge_least(dx2 - dx1, dy2 - dy1);
+            const int area = dx1 * dy2 - dy1 * dx2;
+            const float z0 = bits_float(records[at + 4u]);
+            const float slope_x = bits_float(records[at + 5u]);
+            const float slope_y = bits_float(records[at + 6u]);
+            const uint seen = triangle | ((flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
+            for (int row = first_row; row <= last_row; ++row) {
+                const int in_pixel = column_in_pixel(p, row);
+                const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
+                const int last_x = (last_column - in_pixel) >> p.axis_log2;
+                const int py = origin_y + (row << unit_log2) - y0;
+                for (int x = first_x; x <= last_x; ++x) {
+                    const int px = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2) - x0;
+                    const int e2 = dx1 * py - dy1 * px;
+                    const int e1 = dy2 * px - dx2 * py;
+                    const int e0 = area - e1 - e2;
+                    if (e2 >= least2 && e1 >= least1 && e0 >= least0) {
+                        const float z = z0 + (slope_x * to_float(px) + slope_y * to_float(py));
+                        const uint place = sample_index(p, part.tile, x, row);
+                        if (z >= 0.0f && z < bits_float(depths[place])) {
+                            depths[place] = float_bits(z);
+                            visible[place] = seen;
+                        }
+                    }
+                }
+            }
+        } else {
+            const uint a = indices[triangle * 3u] * 8u;
+            const uint b = indices[triangle * 3u + 1u] * 8u;
+            const uint c = indices[triangle * 3u + 2u] * 8u;
+            const Polygon polygon = clip_triangle(p, to_clip_space(p, vertices[a], vertices[a + 1u], vertices[a + 2u]),
+                                                  to_clip_space(p, vertices[b], vertices[b + 1u], vertices[b + 2u]),
+                                                  to_clip_space(p, vertices[c], vertices[c + 1u], vertices[c + 2u]));
+            for (uint corner = 2u; corner < polygon.count; ++corner) {
+                const RasterTriangle t =
+                    make_raster_triangle(to_screen(p, polygon_corner(polygon, 0u)),
+                                         to_screen(p, polygon_corner(polygon, corner - 1u)),
+                                         to_screen(p, polygon_corner(polygon, corner)), p.cull);
+                if (!t.drawn) {
+                    continue;
+                }
+                const uint seen = triangle | ((t.flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
+                for (int row = first_row; row <= last_row; ++row) {
+                    const int in_pixel = column_in_pixel(p, row);
+                    const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
+                    const int last_x = (last_column - in_pixel) >> p.axis_log2;
+                    const int sy = origin_y + (row << unit_log2);
+                    for (int x = first_x; x <= last_x; ++x) {
+                        const int sx = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2);
+                        if (covers(t, sx, sy)) {
+                            const float z = depth_at(t, sx, sy);
+                            const uint place = sample_index(p, part.tile, x, row);
+                            if (z >= 0.0f && z < bits_float(depths[place])) {
+                                depths[place] = float_bits(z);
+                                visible[place] = seen;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+KERNELS_END
