@@ -35,7 +35,7 @@ STRUCT(Fragment) {
 
 /// Texture coordinates that mean something; others are 0.
 FUNCTION float sane_coordinate(float x) {
-    return (float_bits(x) & 0x7fffffffu) < 0x49800000u ? flush_tiny(x) : 0.0f;
+    return choose(is_below(x, 147u), flush_tiny(x), 0.0f);
 }
 
 FUNCTION Corner make_corner(DrawParams p, Vector position, Vector normal, float u, float v) {
@@ -59,13 +59,13 @@ FUNCTION Corner make_corner(DrawParams p, Vector position, Vector normal, float 
 /// Differences under 2^-40 are zero, so that no product of two becomes a denormal.
 FUNCTION float relative(float x, float at, float w) {
     const float d = x - at * w;
-    return (float_bits(d) & 0x7fffffffu) < 0x2b800000u ? 0.0f : d;
+    return choose(is_below(d, 87u), 0.0f, d);
 }
 
 /// A weight within what later products bear.
 FUNCTION float bounded_weight(float x) {
-    const float y = x < -1073741824.0f ? -1073741824.0f : (x > 1073741824.0f ? 1073741824.0f : x);
-    return (float_bits(y) & 0x7fffffffu) < 0x30800000u ? 0.0f : y;
+    const float y = at_most(at_least(x, -1073741824.0f), 1073741824.0f);
+    return choose(is_below(y, 97u), 0.0f, y);
 }
 
 /// Weights at the point (x, y) of the plane of the triangle, which may lie outside it. They add up to one.
@@ -83,22 +83,23 @@ FUNCTION Weights weights_at(ClipPoint a, ClipPoint b, ClipPoint c, float x, floa
     const float r = exact_reciprocal(sum);
     const bool flat_on = sum == 0.0f;
     Weights w;
-    w.a = flat_on ? 1.0f : bounded_weight(wa * r);
-    w.b = flat_on ? 0.0f : bounded_weight(wb * r);
-    w.c = flat_on ? 0.0f : bounded_weight(wc * r);
+    w.a = choose(flat_on, 1.0f, bounded_weight(wa * r));
+    w.b = choose(flat_on, 0.0f, bounded_weight(wb * r));
+    w.c = choose(flat_on, 0.0f, bounded_weight(wc * r));
     return w;
 }
 
 /// The point of the triangle for weights that may lie outside it: negative ones become zero. A pixel that a triangle
 /// covers only beside its middle gets a value that the triangle has.
 FUNCTION Weights weights_inside(Weights w) {
-    const float a = w.a > 0.0f ? w.a : 0.0f;
-    const float b = w.b > 0.0f ? w.b : 0.0f;
-    const float c = w.c > 0.0f ? w.c : 0.0f;
+    const float a = at_least(w.a, 0.0f);
+    const float b = at_least(w.b, 0.0f);
+    const float c = at_least(w.c, 0.0f);
     const float sum = (a + b) + c;
-    const float r = sum > 0.0f ? exact_reciprocal(sum) : 0.0f;
+    const bool some = sum > 0.0f;
+    const float r = choose(some, exact_reciprocal(choose(some, sum, 1.0f)), 0.0f);
     Weights inside;
-    inside.a = sum > 0.0f ? bounded_weight(a * r) : 1.0f;
+    inside.a = choose(some, bounded_weight(a * r), 1.0f);
     inside.b = bounded_weight(b * r);
     inside.c = bounded_weight(c * r);
     return inside;

@@ -2,7 +2,7 @@
 //
 //   transform   vertices                        -> screen vertices: fixed-point place, depth, outcode
 //   setup       screen vertices, indices        -> records and bounds, one per triangle
-//   clip        vertices, indices, bounds       -> bounds of the triangles that need clipping
+//   clip        vertices, indices, bounds       -> polygons of the triangles that are large or need clipping
 //   count       bounds                          -> counts[block][tile]
 //   columns     counts                          -> exclusive sums down each column; totals per tile
 //   sums        totals                          -> totals per group of tiles
@@ -58,6 +58,10 @@
 #define TRIANGLE_SMALL 1u
 #define TRIANGLE_BACK 2u
 #define SMALL_EXTENT 16384
+
+// Behind the records lie the polygons of triangles that are not small: number of corners, then x, y and depth of each.
+#define POLYGON_CORNERS 8u
+#define POLYGON_WORDS 25u
 
 // Bounds of a triangle in sample columns and rows of the image, two words: first | last << 16 of each.
 #define BOUNDS_WORDS 2u
@@ -116,6 +120,7 @@ STRUCT(DrawParams) {
     uint shading;
     // How items share out the work.
     uint list_at;      // first word of the lists in `bins`, behind the starts
+    uint polygons_at;  // first word of the polygons in `records`
     uint spread_log2;  // every 2^n-th item has a tile
     uint parts_log2;   // 2^n items share a tile, a band of rows each
 };

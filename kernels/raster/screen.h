@@ -21,6 +21,26 @@ STRUCT(ScreenPoint) {
     uint code;
 };
 
+/// a or b, both computed. Nested conditions become branches, which cost more and which some drivers (SwiftShader) take
+/// minutes to compile by the hundred.
+FUNCTION float choose(bool first, float a, float b) {
+    return first ? a : b;
+}
+FUNCTION uint choose_bits(bool first, uint a, uint b) {
+    return first ? a : b;
+}
+FUNCTION float at_least(float x, float low) {
+    return choose(x > low, x, low);
+}
+FUNCTION float at_most(float x, float high) {
+    return choose(x < high, x, high);
+}
+
+/// |x| < 2^(exponent - 127); false for NaN.
+FUNCTION bool is_below(float x, uint exponent) {
+    return (float_bits(x) & 0x7fffffffu) < (exponent << 23u);
+}
+
 /// The integer nearest to x (ties to even) for |x| < 2^22; other numbers give some integer.
 FUNCTION int round_to_int(float x) {
     return to_int(float_bits(x + 12582912.0f) - 0x4b400000u);
@@ -48,36 +68,35 @@ FUNCTION ClipPoint to_clip_space(DrawParams p, float px, float py, float pz) {
     return c;
 }
 
-/// |x| < 2^40; false for NaN.
-FUNCTION bool is_moderate(float x) {
-    return (float_bits(x) & 0x7fffffffu) < 0x53800000u;
-}
-
 /// Where a point of clip space lies on the screen. Points that are not in front of the eye (w < 2^-20), or are beyond
 /// the guard band, get OUT_CLIP and the place of the middle.
 FUNCTION ScreenPoint to_screen(DrawParams p, ClipPoint c) {
-    const bool valid = is_moderate(c.x) && is_moderate(c.y) && is_moderate(c.z) && is_moderate(c.w);
-    uint code = 0u;
-    code = code | (c.x < -c.w ? OUT_LEFT : 0u);
-    code = code | (c.x > c.w ? OUT_RIGHT : 0u);
-    code = code | (c.y < -c.w ? OUT_TOP : 0u);
-    code = code | (c.y > c.w ? OUT_BOTTOM : 0u);
-    code = code | (c.z < 0.0f ? OUT_NEAR : 0u);
-    code = code | (c.z > c.w ? OUT_FAR : 0u);
-    const bool in_front = valid && c.w >= 9.5367431640625e-7f;
-    const float w = in_front ? c.w : 1.0f;
-    const float r = exact_reciprocal(w);
-    const float x = ((in_front ? c.x : 0.0f) * r) * p.half_width;
-    const float y = ((in_front ? c.y : 0.0f) * r) * p.half_height;
-    const float z = (in_front ? c.z : 0.0f) * r;
-    const bool inside = in_front && x >= -RASTER_GUARD_FLOAT && x <= RASTER_GUARD_FLOAT && y >= -RASTER_GUARD_FLOAT &&
-                        y <= RASTER_GUARD_FLOAT;
+    // Faults are bits: "and" of conditions would be branches.
+    const uint fault = ((choose_bits(is_below(c.x, 167u), 0u, 1u) | choose_bits(is_below(c.y, 167u), 0u, 1u)) |
+                        choose_bits(is_below(c.z, 167u), 0u, 1u)) |
+                       choose_bits(is_below(c.w, 167u), 0u, 1u);
+    uint code = choose_bits(c.x < -c.w, OUT_LEFT, 0u);
+    code = code | choose_bits(c.x > c.w, OUT_RIGHT, 0u);
+    code = code | choose_bits(c.y < -c.w, OUT_TOP, 0u);
+    code = code | choose_bits(c.y > c.w, OUT_BOTTOM, 0u);
+    code = code | choose_bits(c.z < 0.0f, OUT_NEAR, 0u);
+    code = code | choose_bits(c.z > c.w, OUT_FAR, 0u);
+    const uint behind = fault | choose_bits(c.w >= 9.5367431640625e-7f, 0u, 1u);
+    const bool in_front = behind == 0u;
+    const float r = exact_reciprocal(choose(in_front, c.w, 1.0f));
+    const float x = (choose(in_front, c.x, 0.0f) * r) * p.half_width;
+    const float y = (choose(in_front, c.y, 0.0f) * r) * p.half_height;
+    const float z = choose(in_front, c.z, 0.0f) * r;
+    const uint beyond = ((choose_bits(x >= -RASTER_GUARD_FLOAT, 0u, 1u) | choose_bits(x <= RASTER_GUARD_FLOAT, 0u, 1u)) |
+                         choose_bits(y >= -RASTER_GUARD_FLOAT, 0u, 1u)) |
+                        choose_bits(y <= RASTER_GUARD_FLOAT, 0u, 1u);
+    const bool inside = (behind | beyond) == 0u;
     ScreenPoint s;
-    s.x = round_to_int(inside ? x : 0.0f);
-    s.y = round_to_int(inside ? y : 0.0f);
+    s.x = round_to_int(choose(inside, x, 0.0f));
+    s.y = round_to_int(choose(inside, y, 0.0f));
     // Depths under 2^-30 are zero, so that no slope of depth becomes a denormal.
-    s.z = inside && (float_bits(z) & 0x7fffffffu) >= 0x30800000u ? z : 0.0f;
-    s.code = valid ? (inside ? code : (code | OUT_CLIP)) : OUT_INVALID;
+    s.z = choose(inside, choose(is_below(z, 97u), 0.0f, z), 0.0f);
+    s.code = choose_bits(fault == 0u, code | choose_bits(inside, 0u, OUT_CLIP), OUT_INVALID);
     return s;
 }
 

@@ -43,9 +43,9 @@ FUNCTION Vector facing_normal(DrawParams p, Vector normal, bool back) {
     const Vector to_viewer = make_vector(p.bx * p.unscale, p.by * p.unscale, p.bz * p.unscale);
     const Vector n = normalise(normal, make_vector(0.0f, 0.0f, 0.0f));
     const bool none = !(dot_product(n, n) > 0.0f);
-    const float side = back ? -1.0f : 1.0f;
-    return make_vector(none ? to_viewer.x : n.x * side, none ? to_viewer.y : n.y * side,
-                       none ? to_viewer.z : n.z * side);
+    const float side = choose(back, -1.0f, 1.0f);
+    return make_vector(choose(none, to_viewer.x, n.x * side), choose(none, to_viewer.y, n.y * side),
+                       choose(none, to_viewer.z, n.z * side));
 }
 
 FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour base) {
@@ -56,10 +56,9 @@ FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour b
     const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
     const Vector to_eye = normalise(make_vector(-camera.x, -camera.y, -camera.z), ahead);
     const Vector halfway = normalise(add(to_light(), to_eye), ahead);
-    const float toward = dot_product(n, to_light());
-    const float lit = toward > 0.0f ? toward : 0.0f;
-    const float high = dot_product(n, halfway);
-    const float shine = lit > 0.0f && high > 0.0f ? power_600(high < 1.0f ? high : 1.0f) : 0.0f;
+    const float lit = at_least(dot_product(n, to_light()), 0.0f);
+    const float high = at_most(at_least(dot_product(n, halfway), 0.0f), 1.0f);
+    const float shine = choose(lit > 0.0f, power_600(high), 0.0f);
     const float body = LIGHT_AMBIENT + LIGHT_DIFFUSE * lit;
     const float white = LIGHT_SPECULAR * shine;
     Colour c;
@@ -73,7 +72,7 @@ FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour b
 /// Distance to the edge opposite a corner, in pixels.
 FUNCTION float edge_distance(float weight, float across, float down) {
     const float squared = flush_tiny(flushed_square(across) + flushed_square(down));
-    return weight * exact_rsqrt(squared > 1e-16f ? squared : 1e-16f);
+    return weight * exact_rsqrt(at_least(squared, 1e-16f));
 }
 
 /// Dark lines 1.5 pixels wide on a light fill.
@@ -81,10 +80,8 @@ FUNCTION Colour wire_colour(Fragment f, float alpha) {
     const float a = edge_distance(f.weights.a, f.across.a, f.down.a);
     const float b = edge_distance(f.weights.b, f.across.b, f.down.b);
     const float c = edge_distance(f.weights.c, f.across.c, f.down.c);
-    const float ab = a < b ? a : b;
-    const float nearest = ab < c ? ab : c;
-    const float x = nearest - 0.25f;
-    const float t = x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+    const float nearest = at_most(at_most(a, b), c);
+    const float t = at_most(at_least(nearest - 0.25f, 0.0f), 1.0f);
     const float s = (t * t) * (3.0f - 2.0f * t);
     Colour colour;
     colour.red = 0.02f + s * 0.78f;
@@ -135,7 +132,7 @@ KERNELS_END
             base.alpha = base.alpha * texture_colour.alpha;                                               \
         }                                                                                                 \
         dropped = base.alpha < p.cutoff;                                                                  \
-        base.alpha = p.keeps_alpha != 0u ? base.alpha : 1.0f;                                             \
+        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);                                            \
         const Vector model_normal = weigh_vectors(inside, ca.normal, cb.normal, cc.normal);               \
         const Vector normal = facing_normal(p, model_normal, back);                                       \
         if (p.shading == SHADING_WIREFRAME) {                                                             \

@@ -9,7 +9,7 @@ KERNELS_BEGIN
 // The curve is linear between 104 places: eight per octave from 2^-13 to 1, the upper bits of the float. It is at most
 // 0.02 codes off.
 FUNCTION float encodable(float x) {
-    return x > 1.220703125e-4f ? (x < 0.99999994f ? x : 0.99999994f) : 1.220703125e-4f;
+    return at_most(at_least(x, 1.220703125e-4f), 0.99999994f);
 }
 FUNCTION uint encode_entry(float x) {
     return (float_bits(x) - 0x39000000u) >> 20u;
@@ -20,7 +20,7 @@ FUNCTION float encode_step(float x) {
 
 /// The nearest of 0 to 255.
 FUNCTION uint round_to_code(float x) {
-    return float_bits((x > 0.0f ? (x < 255.0f ? x : 255.0f) : 0.0f) + 8388608.0f) & 255u;
+    return float_bits(at_most(at_least(x, 0.0f), 255.0f) + 8388608.0f) & 255u;
 }
 
 KERNELS_END

@@ -8,7 +8,7 @@ KERNELS_BEGIN
 
 FUNCTION int floor_to_int(float x) {
     const int nearest = round_to_int(x);
-    return to_float(nearest) > x ? nearest - 1 : nearest;
+    return nearest - to_int(choose_bits(to_float(nearest) > x, 1u, 0u));
 }
 
 /// log2 of a normal x > 0, at most 0.0081 off.
@@ -29,10 +29,7 @@ FUNCTION float texture_level(DrawParams p, Fragment f, Corner a, Corner b, Corne
     const float vy = flush_tiny(weigh(f.down, a.v, b.v, c.v) * height);
     const float across = ux * ux + vx * vx;
     const float down = uy * uy + vy * vy;
-    const float longer = across > down ? across : down;
-    const float level = longer > 1.0f ? 0.5f * rough_log2(longer) : 0.0f;
-    const float last = to_float(p.texture_levels - 1u);
-    return level < last ? level : last;
+    return at_most(0.5f * rough_log2(at_least(at_least(across, down), 1.0f)), to_float(p.texture_levels - 1u));
 }
 
 /// Four texels of a level, as offsets from its first, and their weights.
@@ -48,8 +45,10 @@ STRUCT(Taps) {
 };
 
 FUNCTION Taps make_taps(DrawParams p, uint level, float u, float v) {
-    const uint w = (p.texture_width >> level) == 0u ? 1u : (p.texture_width >> level);
-    const uint h = (p.texture_height >> level) == 0u ? 1u : (p.texture_height >> level);
+    const uint halved_width = p.texture_width >> level;
+    const uint halved_height = p.texture_height >> level;
+    const uint w = choose_bits(halved_width == 0u, 1u, halved_width);
+    const uint h = choose_bits(halved_height == 0u, 1u, halved_height);
     const float x = (u - to_float(floor_to_int(u))) * to_float(w) - 0.5f;
     const float y = (v - to_float(floor_to_int(v))) * to_float(h) - 0.5f;
     const int left = floor_to_int(x);
@@ -57,10 +56,10 @@ FUNCTION Taps make_taps(DrawParams p, uint level, float u, float v) {
     const float fx = x - to_float(left);
     const float fy = y - to_float(top);
     // u - floor(u) may round to 1, so `left` lies in [-1, w - 1] all the same.
-    const uint x0 = left < 0 ? w - 1u : to_uint(left);
-    const uint y0 = top < 0 ? h - 1u : to_uint(top);
-    const uint x1 = left + 1 < to_int(w) ? to_uint(left + 1) : 0u;
-    const uint y1 = top + 1 < to_int(h) ? to_uint(top + 1) : 0u;
+    const uint x0 = choose_bits(left < 0, w - 1u, to_uint(left));
+    const uint y0 = choose_bits(top < 0, h - 1u, to_uint(top));
+    const uint x1 = choose_bits(left + 1 < to_int(w), to_uint(left + 1), 0u);
+    const uint y1 = choose_bits(top + 1 < to_int(h), to_uint(top + 1), 0u);
     Taps t;
     t.a = y0 * w + x0;
     t.b = y0 * w + x1;

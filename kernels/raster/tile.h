@@ -52,6 +52,42 @@ FUNCTION uint sample_index(DrawParams p, uint tile, int x, int row) {
     return (((tile << p.axis_log2) + of_pixel) << 8u) + ((y & 15u) << 4u) + (to_uint(x) & 15u);
 }
 
+FUNCTION ScreenPoint make_screen_point(uint x, uint y, uint z) {
+    ScreenPoint s;
+    s.x = to_int(x);
+    s.y = to_int(y);
+    s.z = bits_float(z);
+    s.code = 0u;
+    return s;
+}
+
+/// The triangle of a record whose corners 1 and 2 are packed.
+FUNCTION RasterTriangle unpack_triangle(uint x0, uint y0, uint d1, uint d2, uint z0, uint slope_x, uint slope_y,
+                                        uint flags) {
+    RasterTriangle t;
+    t.x0 = to_int(x0);
+    t.y0 = to_int(y0);
+    t.dx1 = to_int(d1 << 16u) >> 16;
+    t.dy1 = to_int(d1) >> 16;
+    t.dx2 = to_int(d2 << 16u) >> 16;
+    t.dy2 = to_int(d2) >> 16;
+    t.z0 = bits_float(z0);
+    t.slope_x = bits_float(slope_x);
+    t.slope_y = bits_float(slope_y);
+    t.z_min = -1e30f;
+    t.z_max = 1e30f;
+    t.flags = flags;
+    t.drawn = true;
+    return t;
+}
+
 KERNELS_END
+
+#define LOAD_SMALL_TRIANGLE(records, at, flags)                                                                  \
+    unpack_triangle(records[at], records[(at) + 1u], records[(at) + 2u], records[(at) + 3u], records[(at) + 4u], \
+                    records[(at) + 5u], records[(at) + 6u], flags)
+#define LOAD_POLYGON_CORNER(records, at, corner)                                                   \
+    make_screen_point(records[(at) + 1u + 3u * (corner)], records[(at) + 2u + 3u * (corner)],      \
+                      records[(at) + 3u + 3u * (corner)])
 
 #endif

@@ -1,12 +1,11 @@
 // Lists of tiles -> the nearest triangle of each sample. Most triangles are smaller than a pixel: what they need is
 // in their record, and only rows and columns of samples within their box are looked at.
-#include "raster/polygon.h"
 #include "raster/tile.h"
 
 KERNELS_BEGIN
 
-KERNEL8(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), READ(3, float, vertices),
-        READ(4, uint, indices), WRITE(5, uint, depths), WRITE(6, uint, visible), UNIFORM(7, DrawParams, params)) {
+KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), WRITE(3, uint, depths),
+        WRITE(4, uint, visible), UNIFORM(5, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const TilePart part = tile_part(p, ITEM);
     if (!part.exists) {
@@ -30,34 +29,24 @@ KERNEL8(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
         const uint at = triangle * TRIANGLE_WORDS;
         const uint flags = records[at + 7u];
         if ((flags & TRIANGLE_SMALL) != 0u) {
-            const int x0 = to_int(records[at]);
-            const int y0 = to_int(records[at + 1u]);
-            const int d1 = to_int(records[at + 2u]);
-            const int d2 = to_int(records[at + 3u]);
-            const int dx1 = to_int(to_uint(d1) << 16u) >> 16;
-            const int dy1 = d1 >> 16;
-            const int dx2 = to_int(to_uint(d2) << 16u) >> 16;
-            const int dy2 = d2 >> 16;
-            const int least2 = edge_least(dx1, dy1);
-            const int least1 = edge_least(-dx2, -dy2);
-            const int least0 = edge_least(dx2 - dx1, dy2 - dy1);
-            const int area = dx1 * dy2 - dy1 * dx2;
-            const float z0 = bits_float(records[at + 4u]);
-            const float slope_x = bits_float(records[at + 5u]);
-            const float slope_y = bits_float(records[at + 6u]);
+            const RasterTriangle t = LOAD_SMALL_TRIANGLE(records, at, flags);
+            const int least2 = edge_least(t.dx1, t.dy1);
+            const int least1 = edge_least(-t.dx2, -t.dy2);
+            const int least0 = edge_least(t.dx2 - t.dx1, t.dy2 - t.dy1);
+            const int area = t.dx1 * t.dy2 - t.dy1 * t.dx2;
             const uint seen = triangle | ((flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
             for (int row = first_row; row <= last_row; ++row) {
                 const int in_pixel = column_in_pixel(p, row);
                 const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
                 const int last_x = (last_column - in_pixel) >> p.axis_log2;
-                const int py = origin_y + (row << unit_log2) - y0;
+                const int py = origin_y + (row << unit_log2) - t.y0;
                 for (int x = first_x; x <= last_x; ++x) {
-                    const int px = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2) - x0;
-                    const int e2 = dx1 * py - dy1 * px;
-                    const int e1 = dy2 * px - dx2 * py;
+                    const int px = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2) - t.x0;
+                    const int e2 = t.dx1 * py - t.dy1 * px;
+                    const int e1 = t.dy2 * px - t.dx2 * py;
                     const int e0 = area - e1 - e2;
                     if (e2 >= least2 && e1 >= least1 && e0 >= least0) {
-                        const float z = z0 + (slope_x * to_float(px) + slope_y * to_float(py));
+                        const float z = t.z0 + (t.slope_x * to_float(px) + t.slope_y * to_float(py));
                         const uint place = sample_index(p, part.tile, x, row);
                         if (z >= 0.0f && z < bits_float(depths[place])) {
                             depths[place] = float_bits(z);
@@ -67,17 +56,12 @@ KERNEL8(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                 }
             }
         } else {
-            const uint a = indices[triangle * 3u] * 8u;
-            const uint b = indices[triangle * 3u + 1u] * 8u;
-            const uint c = indices[triangle * 3u + 2u] * 8u;
-            const Polygon polygon = clip_triangle(p, to_clip_space(p, vertices[a], vertices[a + 1u], vertices[a + 2u]),
-                                                  to_clip_space(p, vertices[b], vertices[b + 1u], vertices[b + 2u]),
-                                                  to_clip_space(p, vertices[c], vertices[c + 1u], vertices[c + 2u]));
-            for (uint corner = 2u; corner < polygon.count; ++corner) {
-                const RasterTriangle t =
-                    make_raster_triangle(to_screen(p, polygon_corner(polygon, 0u)),
-                                         to_screen(p, polygon_corner(polygon, corner - 1u)),
-                                         to_screen(p, polygon_corner(polygon, corner)), p.cull);
+            const uint polygon = p.polygons_at + triangle * POLYGON_WORDS;
+            const uint corners = records[polygon];
+            for (uint corner = 2u; corner < corners; ++corner) {
+                const RasterTriangle t = make_raster_triangle(LOAD_POLYGON_CORNER(records, polygon, 0u),
+                                                              LOAD_POLYGON_CORNER(records, polygon, corner - 1u),
+                                                              LOAD_POLYGON_CORNER(records, polygon, corner), p.cull);
                 if (!t.drawn) {
                     continue;
                 }

@@ -1,13 +1,13 @@
 // Masked and blended materials: triangles of a tile in order, each shaded where it passes the depth test. What a mask
 // drops leaves depth alone; what blends is drawn over what is there and leaves depth alone too.
-#include "raster/polygon.h"
 #include "raster/shading.h"
 #include "raster/tile.h"
 
 KERNELS_BEGIN
 
-KERNEL8(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, float, vertices), READ(3, uint, indices),
-        READ(4, uint, texels), WRITE(5, uint, depths), WRITE(6, uint, colours), UNIFORM(7, DrawParams, params)) {
+KERNEL9(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), READ(3, float, vertices),
+        READ(4, uint, indices), READ(5, uint, texels), WRITE(6, uint, depths), WRITE(7, uint, colours),
+        UNIFORM(8, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const TilePart part = tile_part(p, ITEM);
     if (!part.exists) {
@@ -26,16 +26,20 @@ KERNEL8(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, floa
         const int last_y = smaller(to_int(rows >> 16u), part.last_row) >> p.axis_log2;
         const int first_x = larger(to_int(columns & 0xffffu), part.first_column) >> p.axis_log2;
         const int last_x = smaller(to_int(columns >> 16u), part.last_column) >> p.axis_log2;
-        const uint a = indices[triangle * 3u] * 8u;
-        const uint b = indices[triangle * 3u + 1u] * 8u;
-        const uint c = indices[triangle * 3u + 2u] * 8u;
-        const Polygon polygon = clip_triangle(p, to_clip_space(p, vertices[a], vertices[a + 1u], vertices[a + 2u]),
-                                              to_clip_space(p, vertices[b], vertices[b + 1u], vertices[b + 2u]),
-                                              to_clip_space(p, vertices[c], vertices[c + 1u], vertices[c + 2u]));
-        for (uint corner = 2u; corner < polygon.count; ++corner) {
-            const RasterTriangle t = make_raster_triangle(to_screen(p, polygon_corner(polygon, 0u)),
-                                                          to_screen(p, polygon_corner(polygon, corner - 1u)),
-                                                          to_screen(p, polygon_corner(polygon, corner)), p.cull);
+        const uint at = triangle * TRIANGLE_WORDS;
+        const uint flags = records[at + 7u];
+        const bool small = (flags & TRIANGLE_SMALL) != 0u;
+        const uint polygon = p.polygons_at + (small ? 0u : triangle) * POLYGON_WORDS;
+        const uint corners = small ? 3u : records[polygon];
+        for (uint corner = 2u; corner < corners; ++corner) {
+            RasterTriangle t;
+            if (small) {
+                t = LOAD_SMALL_TRIANGLE(records, at, flags);
+            } else {
+                t = make_raster_triangle(LOAD_POLYGON_CORNER(records, polygon, 0u),
+                                         LOAD_POLYGON_CORNER(records, polygon, corner - 1u),
+                                         LOAD_POLYGON_CORNER(records, polygon, corner), p.cull);
+            }
             if (!t.drawn) {
                 continue;
             }

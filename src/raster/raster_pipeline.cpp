@@ -23,11 +23,11 @@ RasterPipeline::RasterPipeline(const gpu::Device& device)
       vertices_(storage("vertices to draw", most_vertices * sizeof(Vertex))),
       indices_(storage("indices to draw", most_triangles * 3 * 4)),
       screen_(storage("screen vertices", most_vertices * SCREEN_VERTEX_WORDS * 4)),
-      records_(storage("triangle records", most_triangles * TRIANGLE_WORDS * 4)),
+      records_(storage("triangle records", most_triangles * (TRIANGLE_WORDS + POLYGON_WORDS) * 4)),
       bounds_(storage("triangle bounds", most_triangles * BOUNDS_WORDS * 4)) {
     transform_ = Stage(device_, "raster_transform", {vertices_, screen_}, parameters_);
     setup_ = Stage(device_, "raster_setup", {screen_, indices_, records_, bounds_}, parameters_);
-    clip_ = Stage(device_, "raster_clip", {vertices_, indices_, bounds_}, parameters_);
+    clip_ = Stage(device_, "raster_clip", {vertices_, indices_, records_, bounds_}, parameters_);
 }
 
 gpu::Buffer RasterPipeline::storage(const char* label, std::uint64_t bytes) {
@@ -101,11 +101,12 @@ const RasterPipeline::DrawStages& RasterPipeline::stages_of(std::size_t window, 
     if (is_new) {
         const RasterWindow& w = (*windows_)[window];
         stages.cover = Stage(device_, "raster_cover",
-                             {bins_, bounds_, records_, vertices_, indices_, w.depths, visible_}, parameters_);
+                             {bins_, bounds_, records_, w.depths, visible_}, parameters_);
         stages.shade = Stage(device_, "raster_shade",
                              {bins_, visible_, w.colours, vertices_, indices_, texture.buffer}, parameters_);
-        stages.forward = Stage(device_, "raster_forward",
-                               {bins_, bounds_, vertices_, indices_, texture.buffer, w.depths, w.colours}, parameters_);
+        stages.forward = Stage(
+            device_, "raster_forward",
+            {bins_, bounds_, records_, vertices_, indices_, texture.buffer, w.depths, w.colours}, parameters_);
     }
     return stages;
 }
@@ -115,6 +116,7 @@ void RasterPipeline::draw(const render::TriangleBatch& batch, std::span<const Ve
     upload(batch, vertices);
     params.triangle_count = static_cast<std::uint32_t>(batch.indices.size() / 3);
     params.vertex_count = static_cast<std::uint32_t>(batch.is_local() ? batch.vertex_count : batch.indices.size());
+    params.polygons_at = static_cast<std::uint32_t>(most_triangles * TRIANGLE_WORDS);
     set_up(params);
     for (std::size_t window = 0; window < windows_->size(); ++window) {
         draw_window(window, params, texture);
