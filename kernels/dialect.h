@@ -56,7 +56,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 _Pragma("OPENCL FP_CONTRACT OFF")
 
-#define FUNCTION static inline
+#define FUNCTION static inline __attribute__((always_inline))
 #define STRUCT(name)          \
     typedef struct name name; \
     struct name

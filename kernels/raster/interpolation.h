@@ -26,13 +26,6 @@ STRUCT(Weights) {
     float c;
 };
 
-/// What an interpolated pixel knows. `across` and `down` are the changes of weights to the next pixel.
-STRUCT(Fragment) {
-    Weights weights;
-    Weights across;
-    Weights down;
-};
-
 /// Texture coordinates that mean something; others are 0.
 FUNCTION float sane_coordinate(float x) {
     return choose(is_below(x, 147u), flush_tiny(x), 0.0f);
@@ -113,15 +106,10 @@ FUNCTION Weights subtract_weights(Weights v, Weights w) {
     return d;
 }
 
-/// The pixel (x, y) of the image, weights at its middle, unbounded.
-FUNCTION Fragment make_fragment(DrawParams p, Corner a, Corner b, Corner c, uint x, uint y) {
-    const float fx = (to_float(x) + 0.5f) * p.pixel_x - 1.0f;
-    const float fy = (to_float(y) + 0.5f) * p.pixel_y - 1.0f;
-    Fragment f;
-    f.weights = weights_at(a.clip, b.clip, c.clip, fx, fy);
-    f.across = subtract_weights(weights_at(a.clip, b.clip, c.clip, fx + p.pixel_x, fy), f.weights);
-    f.down = subtract_weights(weights_at(a.clip, b.clip, c.clip, fx, fy + p.pixel_y), f.weights);
-    return f;
+/// Weights at the middle of pixel (x, y) of the image.
+FUNCTION Weights pixel_weights(DrawParams p, Corner a, Corner b, Corner c, uint x, uint y) {
+    return weights_at(a.clip, b.clip, c.clip, (to_float(x) + 0.5f) * p.pixel_x - 1.0f,
+                      (to_float(y) + 0.5f) * p.pixel_y - 1.0f);
 }
 
 FUNCTION float weigh(Weights w, float a, float b, float c) {

@@ -5,13 +5,15 @@
 //   clip        vertices, indices, bounds       -> polygons of the triangles that are large or need clipping
 //   count       bounds                          -> counts[block][tile]
 //   columns     counts                          -> exclusive sums down each column; totals per tile
-//   sums        totals                          -> totals per group of tiles
-//   starts      totals, sums                    -> where the list of each tile begins
+//   (the host reads the totals, finds where each list begins and which tiles have one)
 //   fill        bounds, counts                  -> the lists: triangles in order, tile after tile
-//   cover       lists, records, ...             -> depth and visible triangle per sample   (opaque materials)
-//   shade       visible triangles, vertices     -> colours                                 (opaque materials)
-//   forward     lists, records, vertices, ...   -> depth and colours, in order             (masked and blended ones)
+//   cover       lists, records                  -> depth and visible triangle per sample   (opaque materials)
+//   shade_*     visible triangles, vertices     -> colours                                 (opaque materials)
+//   forward     lists, records, vertices        -> depth and colours, in order             (masked and blended ones)
 //   resolve     colours                         -> picture
+//
+// `bins` holds the starts of the tiles' lists and the end of the last one, the numbers of the tiles that have any
+// triangle, and at `list_at` the lists.
 //
 // No order depends on timing: a tile's triangles are walked in the order in which they were drawn, and a sample goes to
 // the first of those that are equally near.
@@ -68,9 +70,6 @@
 #define BOUNDS_EMPTY 0x0000ffffu
 #define BOUNDS_UNKNOWN 0x0001ffffu  // as columns of a triangle that the clip stage has to look at
 
-// Tiles of one group of the scan over tiles.
-#define RASTER_SCAN_GROUP 64u
-
 // What lies before the texels of a texture: sRGB codes as linear floats; a table from linear floats to codes (two
 // floats per entry); where each mip level begins, in words of the buffer.
 #define SRGB_DECODE_AT 0u
@@ -119,9 +118,10 @@ STRUCT(DrawParams) {
     uint texture_width, texture_height, texture_levels;
     uint shading;
     // How items share out the work.
-    uint list_at;      // first word of the lists in `bins`, behind the starts
+    uint tile_count;   // tiles that have a list
+    uint list_at;      // first word of the lists in `bins`
     uint polygons_at;  // first word of the polygons in `records`
-    uint spread_log2;  // every 2^n-th item has a tile
+    uint spread_log2;  // every 2^n-th item has (a part of) a tile
     uint parts_log2;   // 2^n items share a tile, a band of rows each
 };
 

@@ -20,13 +20,13 @@ FUNCTION float rough_log2(float x) {
 
 /// The mip level for the change of texture coordinates from a pixel to its neighbours, as Vulkan defines it (isotropic,
 /// the longer of the two steps), in [0, levels - 1].
-FUNCTION float texture_level(DrawParams p, Fragment f, Corner a, Corner b, Corner c) {
+FUNCTION float texture_level(DrawParams p, Weights across_step, Weights down_step, Corner a, Corner b, Corner c) {
     const float width = to_float(p.texture_width);
     const float height = to_float(p.texture_height);
-    const float ux = flush_tiny(weigh(f.across, a.u, b.u, c.u) * width);
-    const float vx = flush_tiny(weigh(f.across, a.v, b.v, c.v) * height);
-    const float uy = flush_tiny(weigh(f.down, a.u, b.u, c.u) * width);
-    const float vy = flush_tiny(weigh(f.down, a.v, b.v, c.v) * height);
+    const float ux = flush_tiny(weigh(across_step, a.u, b.u, c.u) * width);
+    const float vx = flush_tiny(weigh(across_step, a.v, b.v, c.v) * height);
+    const float uy = flush_tiny(weigh(down_step, a.u, b.u, c.u) * width);
+    const float vy = flush_tiny(weigh(down_step, a.v, b.v, c.v) * height);
     const float across = ux * ux + vx * vx;
     const float down = uy * uy + vy * vy;
     return at_most(0.5f * rough_log2(at_least(at_least(across, down), 1.0f)), to_float(p.texture_levels - 1u));

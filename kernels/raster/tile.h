@@ -12,7 +12,6 @@ KERNELS_BEGIN
 
 /// Samples of the image from (first_column, first_row) to (last_column, last_row).
 STRUCT(TilePart) {
-    bool exists;
     uint tile;  // of the window
     int first_column;
     int last_column;
@@ -20,18 +19,19 @@ STRUCT(TilePart) {
     int last_row;
 };
 
-FUNCTION TilePart tile_part(DrawParams p, uint item) {
-    const uint tiles = p.tiles_x * p.tiles_y;
-    const uint worker = item >> p.spread_log2;
-    const uint part = worker & ((1u << p.parts_log2) - 1u);
-    const uint tile = worker >> p.parts_log2;
+/// The place among the tiles with lists of the one that an item has a part of; none from tile_count on.
+FUNCTION uint listed_tile_of(DrawParams p, uint item) {
+    const bool works = (item & ((1u << p.spread_log2) - 1u)) == 0u;
+    return works ? item >> (p.spread_log2 + p.parts_log2) : p.tile_count;
+}
+
+FUNCTION TilePart tile_part(DrawParams p, uint item, uint tile) {
+    const uint part = (item >> p.spread_log2) & ((1u << p.parts_log2) - 1u);
     const uint height_log2 = RASTER_TILE_LOG2 + p.axis_log2 - p.parts_log2;
     TilePart t;
-    t.exists = tile < tiles && (item & ((1u << p.spread_log2) - 1u)) == 0u;
     t.tile = tile;
-    const uint safe = t.exists ? tile : 0u;
-    const uint x = p.tile_x + safe % p.tiles_x;
-    const uint y = p.tile_y + safe / p.tiles_x;
+    const uint x = p.tile_x + tile % p.tiles_x;
+    const uint y = p.tile_y + tile / p.tiles_x;
     t.first_column = to_int(x << (RASTER_TILE_LOG2 + p.axis_log2));
     t.last_column = t.first_column + (1 << (RASTER_TILE_LOG2 + p.axis_log2)) - 1;
     t.first_row = to_int((y << (RASTER_TILE_LOG2 + p.axis_log2)) + (part << height_log2));
@@ -82,6 +82,9 @@ FUNCTION RasterTriangle unpack_triangle(uint x0, uint y0, uint d1, uint d2, uint
 }
 
 KERNELS_END
+
+/// Where `bins` numbers the tiles that have lists.
+#define LISTED_TILES_AT(p) ((p).tiles_x * (p).tiles_y + 1u)
 
 #define LOAD_SMALL_TRIANGLE(records, at, flags)                                                                  \
     unpack_triangle(records[at], records[(at) + 1u], records[(at) + 2u], records[(at) + 3u], records[(at) + 4u], \

@@ -7,10 +7,11 @@ KERNELS_BEGIN
 KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), WRITE(3, uint, depths),
         WRITE(4, uint, visible), UNIFORM(5, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
-    const TilePart part = tile_part(p, ITEM);
-    if (!part.exists) {
+    const uint listed = listed_tile_of(p, ITEM);
+    if (listed >= p.tile_count) {
         return;
     }
+    const TilePart part = tile_part(p, ITEM, bins[LISTED_TILES_AT(p) + listed]);
     const uint first = p.list_at + bins[part.tile];
     const uint last = p.list_at + bins[part.tile + 1u];
     const uint unit_log2 = RASTER_SUBPIXELS_LOG2 - p.axis_log2;

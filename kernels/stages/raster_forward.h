@@ -9,10 +9,11 @@ KERNEL9(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint
         READ(4, uint, indices), READ(5, uint, texels), WRITE(6, uint, depths), WRITE(7, uint, colours),
         UNIFORM(8, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
-    const TilePart part = tile_part(p, ITEM);
-    if (!part.exists) {
+    const uint listed = listed_tile_of(p, ITEM);
+    if (listed >= p.tile_count) {
         return;
     }
+    const TilePart part = tile_part(p, ITEM, bins[LISTED_TILES_AT(p) + listed]);
     const uint first = p.list_at + bins[part.tile];
     const uint last = p.list_at + bins[part.tile + 1u];
     const uint unit_log2 = RASTER_SUBPIXELS_LOG2 - p.axis_log2;

@@ -12,6 +12,12 @@ constexpr std::uint32_t depth_one = 0x3f800000u;
 constexpr std::uint32_t nothing_visible = 0xffffffffu;  // VISIBLE_NONE
 constexpr std::uint32_t first_list_words = 1u << 20;
 
+std::string_view shade_kernel(const kernels::DrawParams& params) {
+    if (params.shading == SHADING_NORMALS) return "raster_shade_normals";
+    if (params.shading == SHADING_WIREFRAME) return "raster_shade_wireframe";
+    return params.texture_levels != 0 ? "raster_shade_textured" : "raster_shade_plain";
+}
+
 static_assert(sizeof(kernels::DrawParams) <= ParameterRing::slot_bytes);
 
 }  // namespace
@@ -76,39 +82,43 @@ void RasterPipeline::create_tile_buffers(std::uint32_t tiles) {
         const std::uint64_t blocks = (most_triangles + launch_.block - 1) / launch_.block;
         counts_ = storage("triangles per block and tile", blocks * tiles * 4);
         totals_ = storage("triangles per tile", std::uint64_t{tiles} * 4);
-        sums_ = storage("triangles per group of tiles",
-                        std::uint64_t{(tiles + RASTER_SCAN_GROUP - 1) / RASTER_SCAN_GROUP} * 4);
         count_ = Stage(device_, "raster_count", {bounds_, counts_}, parameters_);
         columns_ = Stage(device_, "raster_columns", {counts_, totals_}, parameters_);
-        sums_stage_ = Stage(device_, "raster_sums", {totals_, sums_}, parameters_);
         bins_ = {};
     }
     reserve_lists(tiles, first_list_words);
 }
 
 void RasterPipeline::reserve_lists(std::uint32_t tiles, std::uint64_t words) {
-    const std::uint64_t bytes = (std::uint64_t{tiles} + 1 + words) * 4;
+    const std::uint64_t bytes = (2 * std::uint64_t{tiles} + 1 + words) * 4;
     if (bins_ && bins_.size() >= bytes) return;
     bins_ = storage("lists of tiles", bytes);
-    starts_ = Stage(device_, "raster_starts", {totals_, sums_, bins_}, parameters_);
     fill_ = Stage(device_, "raster_fill", {bounds_, counts_, bins_}, parameters_);
     draw_stages_.clear();
 }
 
-const RasterPipeline::DrawStages& RasterPipeline::stages_of(std::size_t window, const TexelBuffer& texture) {
-    const auto [found, is_new] = draw_stages_.try_emplace({window, texture.buffer.state_.get()});
-    DrawStages& stages = found->second;
+const Stage& RasterPipeline::cover_stage(std::size_t window) {
+    const auto [found, is_new] = draw_stages_.try_emplace({window, nullptr, "raster_cover"});
+    if (is_new) {
+        found->second = Stage(device_, "raster_cover",
+                              {bins_, bounds_, records_, (*windows_)[window].depths, visible_}, parameters_);
+    }
+    return found->second;
+}
+
+const Stage& RasterPipeline::shade_stage(std::size_t window, std::string_view kernel, const TexelBuffer& texture) {
+    const auto [found, is_new] = draw_stages_.try_emplace({window, texture.buffer.state_.get(), kernel});
     if (is_new) {
         const RasterWindow& w = (*windows_)[window];
-        stages.cover = Stage(device_, "raster_cover",
-                             {bins_, bounds_, records_, w.depths, visible_}, parameters_);
-        stages.shade = Stage(device_, "raster_shade",
-                             {bins_, visible_, w.colours, vertices_, indices_, texture.buffer}, parameters_);
-        stages.forward = Stage(
-            device_, "raster_forward",
-            {bins_, bounds_, records_, vertices_, indices_, texture.buffer, w.depths, w.colours}, parameters_);
+        found->second =
+            kernel == "raster_forward"
+                ? Stage(device_, kernel,
+                        {bins_, bounds_, records_, vertices_, indices_, texture.buffer, w.depths, w.colours},
+                        parameters_)
+                : Stage(device_, kernel, {bins_, visible_, w.colours, vertices_, indices_, texture.buffer},
+                        parameters_);
     }
-    return stages;
+    return found->second;
 }
 
 void RasterPipeline::draw(const render::TriangleBatch& batch, std::span<const Vertex> vertices,
@@ -149,16 +159,26 @@ void RasterPipeline::set_up(const kernels::DrawParams& params) {
 
 std::uint64_t RasterPipeline::count(const kernels::BinParams& params) {
     const std::uint32_t tiles = params.tiles_x * params.tiles_y;
-    const std::uint32_t groups = (tiles + RASTER_SCAN_GROUP - 1) / RASTER_SCAN_GROUP;
     submit([&](gpu::ComputePass& pass) {
         const std::uint32_t at = parameters_.push(params);
         count_.record(pass, at, std::uint64_t{params.blocks} << params.spread_log2);
         columns_.record(pass, at, tiles);
-        sums_stage_.record(pass, at, groups);
     });
-    std::vector<std::uint32_t> sums(groups);
-    device_.queue().read_buffer(sums_, 0, std::as_writable_bytes(std::span(sums)));
-    return std::accumulate(sums.begin(), sums.end(), std::uint64_t{0});
+    tile_totals_.resize(tiles);
+    device_.queue().read_buffer(totals_, 0, std::as_writable_bytes(std::span(tile_totals_)));
+    return std::accumulate(tile_totals_.begin(), tile_totals_.end(), std::uint64_t{0});
+}
+
+std::uint32_t RasterPipeline::upload_starts() {
+    const std::size_t tiles = tile_totals_.size();
+    bin_heads_.resize(tiles + 1);
+    bin_heads_[0] = 0;
+    std::partial_sum(tile_totals_.begin(), tile_totals_.end(), bin_heads_.begin() + 1);
+    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+        if (tile_totals_[tile] != 0) bin_heads_.push_back(tile);
+    }
+    device_.queue().write_buffer(bins_, 0, std::as_bytes(std::span(bin_heads_)));
+    return static_cast<std::uint32_t>(bin_heads_.size() - tiles - 1);
 }
 
 void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params, const TexelBuffer& texture) {
@@ -167,7 +187,7 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
     params.tile_y = window.y / RASTER_TILE;
     params.tiles_x = window.tiles_x;
     params.tiles_y = window.tiles_y;
-    params.list_at = window.tiles() + 1;
+    params.list_at = 2 * window.tiles() + 1;
     params.spread_log2 = launch_.tile_spread;
     params.parts_log2 = launch_.tile_parts;
     kernels::BinParams bin{};
@@ -192,18 +212,17 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
         }
         if (listed == 0) continue;
         reserve_lists(window.tiles(), listed);
-        const DrawStages& stages = stages_of(number, texture);
+        params.tile_count = upload_starts();
         submit([&](gpu::ComputePass& pass) {
-            const std::uint32_t bin_at = parameters_.push(bin);
-            starts_.record(pass, bin_at, (window.tiles() + RASTER_SCAN_GROUP - 1) / RASTER_SCAN_GROUP);
-            fill_.record(pass, bin_at, std::uint64_t{bin.blocks} << bin.spread_log2);
+            fill_.record(pass, parameters_.push(bin), std::uint64_t{bin.blocks} << bin.spread_log2);
             const std::uint32_t at = parameters_.push(params);
-            const std::uint64_t items = std::uint64_t{window.tiles()} << (params.spread_log2 + params.parts_log2);
+            const std::uint64_t items = std::uint64_t{params.tile_count} << (params.spread_log2 + params.parts_log2);
             if (is_drawn_in_order(params)) {
-                stages.forward.record(pass, at, items);
+                shade_stage(number, "raster_forward", texture).record(pass, at, items);
             } else {
-                stages.cover.record(pass, at, items);
-                stages.shade.record(pass, at, std::uint64_t{window.tiles()} * RASTER_TILE_PIXELS);
+                cover_stage(number).record(pass, at, items);
+                shade_stage(number, shade_kernel(params), texture)
+                    .record(pass, at, std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS);
             }
         });
     }

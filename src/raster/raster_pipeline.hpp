@@ -9,7 +9,7 @@
 #include "tessellate/stage.hpp"
 
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace tessera::raster {
 
@@ -34,19 +34,18 @@ public:
     void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::uint32_t> picture);
 
 private:
-    /// The stages that are bound to a window and a texture.
-    struct DrawStages {
-        Stage cover, shade, forward;
-    };
-
     gpu::Buffer storage(const char* label, std::uint64_t bytes);
     void upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices);
     void set_up(const kernels::DrawParams& params);
     void draw_window(std::size_t window, kernels::DrawParams params, const TexelBuffer& texture);
+    /// Counts triangles per tile into tile_totals_ and returns their sum.
     std::uint64_t count(const kernels::BinParams& params);
+    /// Writes where the lists begin, and which tiles have one; returns how many have.
+    std::uint32_t upload_starts();
     void reserve_lists(std::uint32_t tiles, std::uint64_t words);
     void create_tile_buffers(std::uint32_t tiles);
-    const DrawStages& stages_of(std::size_t window, const TexelBuffer& texture);
+    const Stage& cover_stage(std::size_t window);
+    const Stage& shade_stage(std::size_t window, std::string_view kernel, const TexelBuffer& texture);
     template <typename Record>
     void submit(const Record& record);
 
@@ -56,12 +55,13 @@ private:
     std::uint32_t samples_ = 4;
     std::vector<RasterWindow>* windows_ = nullptr;
     std::vector<Vertex> corners_;
-    std::vector<std::uint32_t> local_indices_;
+    std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
     gpu::Buffer vertices_, indices_, screen_, records_, bounds_;
-    gpu::Buffer counts_, totals_, sums_, bins_, visible_, picture_;
+    gpu::Buffer counts_, totals_, bins_, visible_, picture_;
     std::uint32_t tile_capacity_ = 0;
-    Stage transform_, setup_, clip_, count_, columns_, sums_stage_, starts_, fill_;
-    std::map<std::pair<std::size_t, const void*>, DrawStages> draw_stages_;
+    Stage transform_, setup_, clip_, count_, columns_, fill_;
+    // Stages bound to a window and a texture, made at their first use.
+    std::map<std::tuple<std::size_t, const void*, std::string_view>, Stage> draw_stages_;
 };
 
 }  // namespace tessera::raster
