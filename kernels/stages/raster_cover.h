@@ -12,8 +12,9 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
         return;
     }
     const TilePart part = tile_part(p, ITEM, bins[LISTED_TILES_AT(p) + listed]);
-    const uint first = p.list_at + bins[part.tile];
-    const uint last = p.list_at + bins[part.tile + 1u];
+    const uint first = p.list_at + bins[part.tile] + p.first_entry;
+    const uint end = p.list_at + bins[part.tile + 1u];
+    const uint last = end > first + p.entry_count ? first + p.entry_count : end;
     const uint unit_log2 = RASTER_SUBPIXELS_LOG2 - p.axis_log2;
     // Sub-pixels from the middle of the image of sample column and row 0.
     const int origin_x = (1 << (unit_log2 - 1u)) - to_int(p.columns << (unit_log2 - 1u));

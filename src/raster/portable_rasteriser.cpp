@@ -44,7 +44,8 @@ public:
         if (frame.width != width_ || frame.height != height_ || samples != samples_) {
             windows_.clear();  // before the new ones take their memory
             width_ = 0;
-            windows_ = make_windows(device_, frame.width, frame.height, samples);
+            windows_ = make_windows(device_, frame.width, frame.height, samples,
+                                    choose_launch(device_.info()).window);
             width_ = frame.width;
             height_ = frame.height;
             samples_ = samples;

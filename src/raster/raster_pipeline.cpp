@@ -213,18 +213,24 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
         if (listed == 0) continue;
         reserve_lists(window.tiles(), listed);
         params.tile_count = upload_starts();
+        const bool in_order = is_drawn_in_order(params);
+        const Stage& raster = in_order ? shade_stage(number, "raster_forward", texture) : cover_stage(number);
+        const std::uint64_t items = std::uint64_t{params.tile_count} << (params.spread_log2 + params.parts_log2);
+        const std::uint32_t longest = *std::ranges::max_element(tile_totals_);
+        params.entry_count = launch_.entries;
         submit([&](gpu::ComputePass& pass) {
             fill_.record(pass, parameters_.push(bin), std::uint64_t{bin.blocks} << bin.spread_log2);
-            const std::uint32_t at = parameters_.push(params);
-            const std::uint64_t items = std::uint64_t{params.tile_count} << (params.spread_log2 + params.parts_log2);
-            if (is_drawn_in_order(params)) {
-                shade_stage(number, "raster_forward", texture).record(pass, at, items);
-            } else {
-                cover_stage(number).record(pass, at, items);
+        });
+        for (params.first_entry = 0; params.first_entry < longest; params.first_entry += launch_.entries) {
+            submit([&](gpu::ComputePass& pass) { raster.record(pass, parameters_.push(params), items); });
+        }
+        if (!in_order) {
+            submit([&](gpu::ComputePass& pass) {
+                const std::uint32_t at = parameters_.push(params);
                 shade_stage(number, shade_kernel(params), texture)
                     .record(pass, at, std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS);
-            }
-        });
+            });
+        }
     }
 }
 
