@@ -39,8 +39,7 @@ void draw(benchmark::State& state, const std::string& id, bool portable, std::ui
     render::Frame frame;
     frame.camera = framing.camera();
     frame.samples = samples;
-    const auto rasteriser =
-        portable ? raster::open_portable(backends::open_device(id)) : backends::open_rasteriser(id);
+    const auto rasteriser = portable ? raster::open_portable(backends::open_device(id)) : backends::open_rasteriser(id);
     const auto picture = [&] {
         rasteriser->begin(frame);
         rasteriser->set_materials({{}}, {});
@@ -52,8 +51,8 @@ void draw(benchmark::State& state, const std::string& id, bool portable, std::ui
         benchmark::DoNotOptimize(picture());
     }
     state.counters["triangles"] = static_cast<double>(mesh.indices.size() / 3);
-    state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(mesh.indices.size() / 3),
-                                                       benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["triangles/s"] =
+        benchmark::Counter(static_cast<double>(mesh.indices.size() / 3), benchmark::Counter::kIsIterationInvariantRate);
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "backends/vulkan/errors.hpp"
-#include "render/triangle_batches.hpp"
 #include "backends/vulkan/raster_pipelines.hpp"
 #include "backends/vulkan/raster_stream.hpp"
 #include "backends/vulkan/raster_textures.hpp"
+#include "render/triangle_batches.hpp"
 
 namespace tessera::backends::vulkan {
 namespace {
@@ -162,7 +162,8 @@ private:
         commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines_.mesh_layout(), 0, frame_set_, {});
     }
 
-    void draw_batch(const render::TriangleBatch& batch, std::span<const Vertex> vertices, const scene::Material& material) {
+    void draw_batch(const render::TriangleBatch& batch, std::span<const Vertex> vertices,
+                    const scene::Material& material) {
         const bool wireframe = shading_ == render::Shading::wireframe;
         const bool indexed = batch.is_local() && !wireframe;  // a wireframe tells corners by their place in the draw
         const std::uint64_t vertex_bytes =

@@ -87,9 +87,10 @@ FUNCTION ScreenPoint to_screen(DrawParams p, ClipPoint c) {
     const float x = (choose(in_front, c.x, 0.0f) * r) * p.half_width;
     const float y = (choose(in_front, c.y, 0.0f) * r) * p.half_height;
     const float z = choose(in_front, c.z, 0.0f) * r;
-    const uint beyond = ((choose_bits(x >= -RASTER_GUARD_FLOAT, 0u, 1u) | choose_bits(x <= RASTER_GUARD_FLOAT, 0u, 1u)) |
-                         choose_bits(y >= -RASTER_GUARD_FLOAT, 0u, 1u)) |
-                        choose_bits(y <= RASTER_GUARD_FLOAT, 0u, 1u);
+    const uint beyond =
+        ((choose_bits(x >= -RASTER_GUARD_FLOAT, 0u, 1u) | choose_bits(x <= RASTER_GUARD_FLOAT, 0u, 1u)) |
+         choose_bits(y >= -RASTER_GUARD_FLOAT, 0u, 1u)) |
+        choose_bits(y <= RASTER_GUARD_FLOAT, 0u, 1u);
     const bool inside = (behind | beyond) == 0u;
     ScreenPoint s;
     s.x = round_to_int(choose(inside, x, 0.0f));

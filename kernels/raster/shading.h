@@ -2,10 +2,11 @@
 //
 // Richer materials replace this file and the kernels made of it (shade_kernel.h), nothing else. What they get is the
 // interface of the visibility buffer: a triangle of the draw and the side that is seen, for a pixel of the image. From
-// these they have, by interpolation.h, the corners with all their attributes, perspective-correct weights at the pixel's
-// middle (weights_inside keeps them in the triangle) and the change of the weights to the neighbours: derivatives of
-// any attribute, for footprints of textures, tangent frames and lines of even width. Everything of the draw comes in
-// DrawParams, one material each; textures lie in `texels` (raster_layout.h). The result is light multiplied by alpha.
+// these they have, by interpolation.h, the corners with all their attributes, perspective-correct weights at the
+// pixel's middle (weights_inside keeps them in the triangle) and the change of the weights to the neighbours:
+// derivatives of any attribute, for footprints of textures, tangent frames and lines of even width. Everything of the
+// draw comes in DrawParams, one material each; textures lie in `texels` (raster_layout.h). The result is light
+// multiplied by alpha.
 #ifndef TESSERA_RASTER_SHADING_H
 #define TESSERA_RASTER_SHADING_H
 
@@ -99,80 +100,80 @@ KERNELS_END
 
 // The steps of shading a triangle in the pixel (px, py) of the image, as macros because they read the buffers vertices,
 // indices and texels. Each declares what later ones use.
-#define SHADE_CORNERS(p, triangle, px, py)                           \
-    const Corner ca = LOAD_CORNER(p, indices[(triangle)*3u]);        \
-    const Corner cb = LOAD_CORNER(p, indices[(triangle)*3u + 1u]);   \
-    const Corner cc = LOAD_CORNER(p, indices[(triangle)*3u + 2u]);   \
-    const Weights weights = pixel_weights(p, ca, cb, cc, px, py);    \
-    Colour base;                                                     \
-    base.red = p.red;                                                \
-    base.green = p.green;                                            \
-    base.blue = p.blue;                                              \
+#define SHADE_CORNERS(p, triangle, px, py)                         \
+    const Corner ca = LOAD_CORNER(p, indices[(triangle)*3u]);      \
+    const Corner cb = LOAD_CORNER(p, indices[(triangle)*3u + 1u]); \
+    const Corner cc = LOAD_CORNER(p, indices[(triangle)*3u + 2u]); \
+    const Weights weights = pixel_weights(p, ca, cb, cc, px, py);  \
+    Colour base;                                                   \
+    base.red = p.red;                                              \
+    base.green = p.green;                                          \
+    base.blue = p.blue;                                            \
     base.alpha = p.alpha;
 
 #define SHADE_INSIDE const Weights inside = weights_inside(weights);
 
-#define SHADE_STEPS(p, px, py)                                                                             \
-    const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights);         \
+#define SHADE_STEPS(p, px, py)                                                                     \
+    const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
     const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);
 
 // Multiplies `base` by the texture. The next level is read even where it has no weight: a branch would cost more.
-#define SHADE_TEXTURE(p)                                                                     \
-    const float level = texture_level(p, across, down, ca, cb, cc);                          \
-    const uint whole = to_uint(floor_to_int(level));                                         \
-    const uint next = choose_bits(whole + 1u < p.texture_levels, whole + 1u, whole);         \
-    const float part = level - to_float(whole);                                              \
-    const float u = weigh(inside, ca.u, cb.u, cc.u);                                         \
-    const float v = weigh(inside, ca.v, cb.v, cc.v);                                         \
-    Colour texture_colour;                                                                   \
-    texture_colour.red = 0.0f;                                                               \
-    texture_colour.green = 0.0f;                                                             \
-    texture_colour.blue = 0.0f;                                                              \
-    texture_colour.alpha = 0.0f;                                                             \
-    ADD_LEVEL(texture_colour, texels, p, whole, u, v, (1.0f - part))                         \
-    ADD_LEVEL(texture_colour, texels, p, next, u, v, part)                                   \
-    base.red = base.red * texture_colour.red;                                                \
-    base.green = base.green * texture_colour.green;                                          \
-    base.blue = base.blue * texture_colour.blue;                                             \
+#define SHADE_TEXTURE(p)                                                             \
+    const float level = texture_level(p, across, down, ca, cb, cc);                  \
+    const uint whole = to_uint(floor_to_int(level));                                 \
+    const uint next = choose_bits(whole + 1u < p.texture_levels, whole + 1u, whole); \
+    const float part = level - to_float(whole);                                      \
+    const float u = weigh(inside, ca.u, cb.u, cc.u);                                 \
+    const float v = weigh(inside, ca.v, cb.v, cc.v);                                 \
+    Colour texture_colour;                                                           \
+    texture_colour.red = 0.0f;                                                       \
+    texture_colour.green = 0.0f;                                                     \
+    texture_colour.blue = 0.0f;                                                      \
+    texture_colour.alpha = 0.0f;                                                     \
+    ADD_LEVEL(texture_colour, texels, p, whole, u, v, (1.0f - part))                 \
+    ADD_LEVEL(texture_colour, texels, p, next, u, v, part)                           \
+    base.red = base.red * texture_colour.red;                                        \
+    base.green = base.green * texture_colour.green;                                  \
+    base.blue = base.blue * texture_colour.blue;                                     \
     base.alpha = base.alpha * texture_colour.alpha;
 
-#define SHADE_NORMAL(p, back)                                                                         \
-    const Vector model_normal = weigh_vectors(inside, ca.normal, cb.normal, cc.normal);               \
+#define SHADE_NORMAL(p, back)                                                           \
+    const Vector model_normal = weigh_vectors(inside, ca.normal, cb.normal, cc.normal); \
     const Vector normal = facing_normal(p, model_normal, back);
 
-#define SHADE_PHONG(colour, p)                                                                        \
-    const Vector camera = weigh_vectors(inside, ca.camera, cb.camera, cc.camera);                     \
+#define SHADE_PHONG(colour, p)                                                    \
+    const Vector camera = weigh_vectors(inside, ca.camera, cb.camera, cc.camera); \
     colour = phong_light(p, normal, camera, base);
 
 // The codes of the picture are the normal.
-#define SHADE_NORMAL_AS_COLOUR(colour)                                                                \
-    colour.red = SRGB_DECODE(texels, round_to_code((normal.x * 0.5f + 0.5f) * 255.0f));               \
-    colour.green = SRGB_DECODE(texels, round_to_code((normal.y * 0.5f + 0.5f) * 255.0f));             \
-    colour.blue = SRGB_DECODE(texels, round_to_code((normal.z * 0.5f + 0.5f) * 255.0f));              \
+#define SHADE_NORMAL_AS_COLOUR(colour)                                                    \
+    colour.red = SRGB_DECODE(texels, round_to_code((normal.x * 0.5f + 0.5f) * 255.0f));   \
+    colour.green = SRGB_DECODE(texels, round_to_code((normal.y * 0.5f + 0.5f) * 255.0f)); \
+    colour.blue = SRGB_DECODE(texels, round_to_code((normal.z * 0.5f + 0.5f) * 255.0f));  \
     colour.alpha = base.alpha;
 
 // All of it, for materials that may be dropped or blended.
-#define SHADE(colour, dropped, p, triangle, back, px, py)              \
-    {                                                                  \
-        SHADE_CORNERS(p, triangle, px, py)                             \
-        SHADE_INSIDE                                                   \
-        SHADE_STEPS(p, px, py)                                         \
-        if (p.texture_levels != 0u) {                                  \
-            SHADE_TEXTURE(p)                                           \
-        }                                                              \
-        dropped = base.alpha < p.cutoff;                               \
-        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);    \
-        SHADE_NORMAL(p, back)                                          \
-        if (p.shading == SHADING_WIREFRAME) {                          \
-            colour = wire_colour(weights, across, down, base.alpha);   \
-        } else if (p.shading == SHADING_NORMALS) {                     \
-            SHADE_NORMAL_AS_COLOUR(colour)                             \
-        } else {                                                       \
-            SHADE_PHONG(colour, p)                                     \
-        }                                                              \
-        colour.red = colour.red * colour.alpha;                        \
-        colour.green = colour.green * colour.alpha;                    \
-        colour.blue = colour.blue * colour.alpha;                      \
+#define SHADE(colour, dropped, p, triangle, back, px, py)            \
+    {                                                                \
+        SHADE_CORNERS(p, triangle, px, py)                           \
+        SHADE_INSIDE                                                 \
+        SHADE_STEPS(p, px, py)                                       \
+        if (p.texture_levels != 0u) {                                \
+            SHADE_TEXTURE(p)                                         \
+        }                                                            \
+        dropped = base.alpha < p.cutoff;                             \
+        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);  \
+        SHADE_NORMAL(p, back)                                        \
+        if (p.shading == SHADING_WIREFRAME) {                        \
+            colour = wire_colour(weights, across, down, base.alpha); \
+        } else if (p.shading == SHADING_NORMALS) {                   \
+            SHADE_NORMAL_AS_COLOUR(colour)                           \
+        } else {                                                     \
+            SHADE_PHONG(colour, p)                                   \
+        }                                                            \
+        colour.red = colour.red * colour.alpha;                      \
+        colour.green = colour.green * colour.alpha;                  \
+        colour.blue = colour.blue * colour.alpha;                    \
     }
 
 #endif

@@ -25,14 +25,14 @@ FUNCTION uint round_to_code(float x) {
 
 KERNELS_END
 
-#define SRGB_ENCODE_SOUND(texels, x)                                                                  \
-    round_to_code(bits_float(texels[SRGB_ENCODE_AT + 2u * encode_entry(x)]) +                         \
+#define SRGB_ENCODE_SOUND(texels, x)                                          \
+    round_to_code(bits_float(texels[SRGB_ENCODE_AT + 2u * encode_entry(x)]) + \
                   encode_step(x) * bits_float(texels[SRGB_ENCODE_AT + 2u * encode_entry(x) + 1u]))
 #define SRGB_ENCODE(texels, x) SRGB_ENCODE_SOUND(texels, encodable(x))
 
 /// A colour multiplied by alpha as R, G, B, A in a word.
-#define PACK_COLOUR(texels, c)                                                                               \
-    (SRGB_ENCODE(texels, (c).red) | (SRGB_ENCODE(texels, (c).green) << 8u) |                                 \
-     (SRGB_ENCODE(texels, (c).blue) << 16u) | (round_to_code((c).alpha * 255.0f) << 24u))
+#define PACK_COLOUR(texels, c)                                                                                        \
+    (SRGB_ENCODE(texels, (c).red) | (SRGB_ENCODE(texels, (c).green) << 8u) | (SRGB_ENCODE(texels, (c).blue) << 16u) | \
+     (round_to_code((c).alpha * 255.0f) << 24u))
 
 #endif

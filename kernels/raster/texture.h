@@ -82,23 +82,23 @@ STRUCT(Colour) {
 KERNELS_END
 
 // Texels are R, G, B, A from the lowest byte up.
-#define SRGB_DECODE(texels, code) bits_float(texels[SRGB_DECODE_AT + ((code) & 255u)])
-#define ADD_TEXEL(colour, texels, at, weight)                                                   \
-    {                                                                                           \
-        const uint texel = texels[at];                                                          \
-        colour.red = colour.red + (weight) * SRGB_DECODE(texels, texel);                        \
-        colour.green = colour.green + (weight) * SRGB_DECODE(texels, texel >> 8u);              \
-        colour.blue = colour.blue + (weight) * SRGB_DECODE(texels, texel >> 16u);               \
+#define SRGB_DECODE(texels, code) bits_float(texels[SRGB_DECODE_AT + ((code)&255u)])
+#define ADD_TEXEL(colour, texels, at, weight)                                                       \
+    {                                                                                               \
+        const uint texel = texels[at];                                                              \
+        colour.red = colour.red + (weight)*SRGB_DECODE(texels, texel);                              \
+        colour.green = colour.green + (weight)*SRGB_DECODE(texels, texel >> 8u);                    \
+        colour.blue = colour.blue + (weight)*SRGB_DECODE(texels, texel >> 16u);                     \
         colour.alpha = colour.alpha + (weight) * (to_float(texel >> 24u) * 0.0039215688593685627f); \
     }
-#define ADD_LEVEL(colour, texels, p, level, u, v, share)             \
-    {                                                                \
-        const uint begin = texels[LEVELS_AT + (level)];              \
-        const Taps taps = make_taps(p, level, u, v);                 \
-        ADD_TEXEL(colour, texels, begin + taps.a, (share)*taps.wa)   \
-        ADD_TEXEL(colour, texels, begin + taps.b, (share)*taps.wb)   \
-        ADD_TEXEL(colour, texels, begin + taps.c, (share)*taps.wc)   \
-        ADD_TEXEL(colour, texels, begin + taps.d, (share)*taps.wd)   \
+#define ADD_LEVEL(colour, texels, p, level, u, v, share)           \
+    {                                                              \
+        const uint begin = texels[LEVELS_AT + (level)];            \
+        const Taps taps = make_taps(p, level, u, v);               \
+        ADD_TEXEL(colour, texels, begin + taps.a, (share)*taps.wa) \
+        ADD_TEXEL(colour, texels, begin + taps.b, (share)*taps.wb) \
+        ADD_TEXEL(colour, texels, begin + taps.c, (share)*taps.wc) \
+        ADD_TEXEL(colour, texels, begin + taps.d, (share)*taps.wd) \
     }
 
 #endif

@@ -89,8 +89,8 @@ KERNELS_END
 #define LOAD_SMALL_TRIANGLE(records, at, flags)                                                                  \
     unpack_triangle(records[at], records[(at) + 1u], records[(at) + 2u], records[(at) + 3u], records[(at) + 4u], \
                     records[(at) + 5u], records[(at) + 6u], flags)
-#define LOAD_POLYGON_CORNER(records, at, corner)                                                   \
-    make_screen_point(records[(at) + 1u + 3u * (corner)], records[(at) + 2u + 3u * (corner)],      \
+#define LOAD_POLYGON_CORNER(records, at, corner)                                              \
+    make_screen_point(records[(at) + 1u + 3u * (corner)], records[(at) + 2u + 3u * (corner)], \
                       records[(at) + 3u + 3u * (corner)])
 
 #endif

@@ -68,8 +68,7 @@ KERNEL9(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint
                             continue;
                         }
                         if (!shaded) {
-                            SHADE(colour, dropped, p, triangle, (t.flags & TRIANGLE_BACK) != 0u, to_uint(x),
-                                  to_uint(y))
+                            SHADE(colour, dropped, p, triangle, (t.flags & TRIANGLE_BACK) != 0u, to_uint(x), to_uint(y))
                             shaded = true;
                         }
                         if (dropped) {

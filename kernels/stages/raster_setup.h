@@ -1,12 +1,12 @@
 // Screen vertices -> records and bounds of triangles. What needs clipping is left to raster_clip.
 #include "raster/triangle_setup.h"
 
-#define LOAD_SCREEN_POINT(to, vertex)                                   \
-    ScreenPoint to;                                                     \
-    to.x = to_int(screen[(vertex) * SCREEN_VERTEX_WORDS]);              \
-    to.y = to_int(screen[(vertex) * SCREEN_VERTEX_WORDS + 1u]);         \
-    to.z = bits_float(screen[(vertex) * SCREEN_VERTEX_WORDS + 2u]);     \
-    to.code = screen[(vertex) * SCREEN_VERTEX_WORDS + 3u]
+#define LOAD_SCREEN_POINT(to, vertex)                             \
+    ScreenPoint to;                                               \
+    to.x = to_int(screen[(vertex)*SCREEN_VERTEX_WORDS]);          \
+    to.y = to_int(screen[(vertex)*SCREEN_VERTEX_WORDS + 1u]);     \
+    to.z = bits_float(screen[(vertex)*SCREEN_VERTEX_WORDS + 2u]); \
+    to.code = screen[(vertex)*SCREEN_VERTEX_WORDS + 3u]
 
 KERNELS_BEGIN
 

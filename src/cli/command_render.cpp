@@ -75,8 +75,8 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, co
                                                     std::uint32_t samples) {
     const bool has_own = device.info().rasteriser;
     if (which == "device" && !has_own) {
-        throw Error(ErrorKind::usage, fmt::format("{} has no rasteriser of its own; choose --raster portable.",
-                                                  device.info().id));
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} has no rasteriser of its own; choose --raster portable.", device.info().id));
     }
     if (which == "device" || (which == "auto" && has_own && samples == 4)) {
         return backends::open_rasteriser(device.info().id);

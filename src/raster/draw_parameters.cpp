@@ -60,8 +60,7 @@ kernels::DrawParams frame_parameters(const render::Frame& frame) {
 
 void set_material(kernels::DrawParams& params, const scene::Material& material, const TexelBuffer& texture) {
     params.cull = material.double_sided ? 0 : 1;
-    params.keeps_alpha =
-        material.alpha_mode == scene::AlphaMode::blend && params.shading != SHADING_WIREFRAME ? 1 : 0;
+    params.keeps_alpha = material.alpha_mode == scene::AlphaMode::blend && params.shading != SHADING_WIREFRAME ? 1 : 0;
     params.cutoff = material.alpha_mode == scene::AlphaMode::mask ? material.alpha_cutoff : 0.0f;
     params.red = sound(material.base_color.r);
     params.green = sound(material.base_color.g);

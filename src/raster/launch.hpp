@@ -8,12 +8,12 @@ namespace tessera::raster {
 /// CPUs run the 64 items of a group one after another on one thread: few busy items per group share the work evenly,
 /// and an item walks a list once. GPUs want as many busy items as there can be.
 struct Launch {
-    std::uint32_t block = 4096;         ///< triangles that an item counts and sorts into lists
-    std::uint32_t block_spread = 6;     ///< log2: every 2^n-th item has a block
-    std::uint32_t tile_spread = 2;      ///< log2: every 2^n-th item has (a part of) a tile
-    std::uint32_t tile_parts = 0;       ///< log2 of the items that share a tile
-    std::uint32_t entries = 1u << 20;   ///< triangles of a tile that a dispatch draws
-    std::uint32_t window = 2048;        ///< longest side of a window in pixels
+    std::uint32_t block = 4096;        ///< triangles that an item counts and sorts into lists
+    std::uint32_t block_spread = 6;    ///< log2: every 2^n-th item has a block
+    std::uint32_t tile_spread = 2;     ///< log2: every 2^n-th item has (a part of) a tile
+    std::uint32_t tile_parts = 0;      ///< log2 of the items that share a tile
+    std::uint32_t entries = 1u << 20;  ///< triangles of a tile that a dispatch draws
+    std::uint32_t window = 2048;       ///< longest side of a window in pixels
 };
 
 inline Launch choose_launch(const gpu::DeviceInfo& device) {

@@ -21,8 +21,8 @@ void check(const render::Frame& frame) {
                                 frame.height, largest_side));
     }
     if (frame.samples != 1 && frame.samples != 4) {
-        throw Error(ErrorKind::usage, fmt::format("A picture of {} samples per pixel cannot be drawn; choose 1 or 4.",
-                                                  frame.samples));
+        throw Error(ErrorKind::usage,
+                    fmt::format("A picture of {} samples per pixel cannot be drawn; choose 1 or 4.", frame.samples));
     }
 }
 
@@ -44,8 +44,7 @@ public:
         if (frame.width != width_ || frame.height != height_ || samples != samples_) {
             windows_.clear();  // before the new ones take their memory
             width_ = 0;
-            windows_ = make_windows(device_, frame.width, frame.height, samples,
-                                    choose_launch(device_.info()).window);
+            windows_ = make_windows(device_, frame.width, frame.height, samples, choose_launch(device_.info()).window);
             width_ = frame.width;
             height_ = frame.height;
             samples_ = samples;

@@ -100,8 +100,8 @@ void RasterPipeline::reserve_lists(std::uint32_t tiles, std::uint64_t words) {
 const Stage& RasterPipeline::cover_stage(std::size_t window) {
     const auto [found, is_new] = draw_stages_.try_emplace({window, nullptr, "raster_cover"});
     if (is_new) {
-        found->second = Stage(device_, "raster_cover",
-                              {bins_, bounds_, records_, (*windows_)[window].depths, visible_}, parameters_);
+        found->second = Stage(device_, "raster_cover", {bins_, bounds_, records_, (*windows_)[window].depths, visible_},
+                              parameters_);
     }
     return found->second;
 }

@@ -21,8 +21,8 @@ bool holds_pixels(const image::Image& image) {
 }  // namespace
 
 TexelBuffers::TexelBuffers(const gpu::Device& device) : device_(device), tables_(make_srgb_tables()) {
-    plain_.buffer =
-        device_.create_buffer({"sRGB tables", tables_.size() * 4, BufferUsage::storage | BufferUsage::copy_destination});
+    plain_.buffer = device_.create_buffer(
+        {"sRGB tables", tables_.size() * 4, BufferUsage::storage | BufferUsage::copy_destination});
     device_.queue().write_buffer(plain_.buffer, 0, std::as_bytes(std::span(tables_)));
 }
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 #include <numeric>
+#include <random>
 
 namespace tessera::test {
 namespace {
@@ -112,10 +112,10 @@ TEST_P(Coverage, OfFansAroundASampleIsOnce) {
                 {{along, 0}, {side, along}, {side - along, side}, {0, side - along}}};
             rim.push_back(places[static_cast<std::size_t>(at / side)]);
         }
-        for (const auto& [x, y] : rim) mesh.vertices.push_back(place_vertex(frame, x + 2 * 256 + 128, y + 2 * 256 + 128));
+        for (const auto& [x, y] : rim)
+            mesh.vertices.push_back(place_vertex(frame, x + 2 * 256 + 128, y + 2 * 256 + 128));
         for (std::uint32_t i = 0; i < rim.size(); ++i) {
-            mesh.indices.insert(mesh.indices.end(),
-                                {0, 1 + i, 1 + (i + 1) % static_cast<std::uint32_t>(rim.size())});
+            mesh.indices.insert(mesh.indices.end(), {0, 1 + i, 1 + (i + 1) % static_cast<std::uint32_t>(rim.size())});
         }
         const std::vector<int> counts = coverage_counts(device, frame, mesh.vertices, mesh.indices);
         EXPECT_LE(*std::ranges::max_element(counts), 1);
@@ -131,7 +131,8 @@ TEST_P(Coverage, OfClosedSurfacesHasTwoSides) {
     const RefinedMesh sphere = tessellate(open_device("reference"), set, options);
     render::Frame frame = flat_frame(120, 120, 1);
     render::Framing framing({}, 1.0f);
-    for (const Vertex& v : sphere.vertices) framing.add({v.position[0], v.position[1], v.position[2]});
+    for (const Vertex& v : sphere.vertices)
+        framing.add({v.position[0], v.position[1], v.position[2]});
     frame.camera = framing.camera();
     const std::vector<int> counts = coverage_counts(device, frame, sphere.vertices, sphere.indices);
     EXPECT_EQ(std::ranges::count(counts, 1) + std::ranges::count(counts, 3), 0);
@@ -162,7 +163,8 @@ TEST_P(Coverage, TiesGoToWhatWasDrawnFirst) {
         mesh.vertices.back().normal[0] = 1.0f;
     }
     const std::size_t indices = mesh.indices.size();
-    for (std::size_t i = 0; i < indices; ++i) mesh.indices.push_back(mesh.indices[i] + count);
+    for (std::size_t i = 0; i < indices; ++i)
+        mesh.indices.push_back(mesh.indices[i] + count);
     EXPECT_EQ(once.rgba, draw_portable(device, frame, mesh.vertices, mesh.indices).rgba);
 }
 

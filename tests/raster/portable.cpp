@@ -24,9 +24,7 @@ render::Frame flat_frame(std::uint32_t width, std::uint32_t height, std::uint32_
 }
 
 Vertex place_vertex(const render::Frame& frame, int x, int y, float z) {
-    const auto at = [](int place, std::uint32_t pixels) {
-        return static_cast<float>(place / (128.0 * pixels) - 1.0);
-    };
+    const auto at = [](int place, std::uint32_t pixels) { return static_cast<float>(place / (128.0 * pixels) - 1.0); };
     return {{at(x, frame.width), -at(y, frame.height), z}, {0, 0, 1}, {0, 0}};
 }
 

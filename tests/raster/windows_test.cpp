@@ -14,11 +14,11 @@ TEST(Windows, MeetWithoutASeam) {
     // Slanted triangles over all three windows, each sample once.
     const int right = static_cast<int>(frame.width) * 256;
     const int bottom = 70 * 256;
-    const std::vector<Vertex> vertices{place_vertex(frame, 0, 0),          place_vertex(frame, 0, bottom),
+    const std::vector<Vertex> vertices{place_vertex(frame, 0, 0), place_vertex(frame, 0, bottom),
                                        place_vertex(frame, right, bottom), place_vertex(frame, right, 0),
                                        place_vertex(frame, right / 2 + 77, 31 * 256 + 5)};
-    const std::vector<int> counts = coverage_counts(open_device("reference"), frame, vertices,
-                                                    {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
+    const std::vector<int> counts =
+        coverage_counts(open_device("reference"), frame, vertices, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
     EXPECT_EQ(counts, std::vector<int>(counts.size(), 1));
 }
 
@@ -37,7 +37,8 @@ TEST(Lists, ThatAreTooLongAreCut) {
     std::vector<std::uint32_t> indices;
     const std::uint64_t tiles = 128 * 128;
     const std::uint64_t triangles = raster::RasterPipeline::max_list_words / tiles + 500;
-    for (std::uint64_t i = 0; i < triangles; ++i) indices.insert(indices.end(), {0, 1, 2});
+    for (std::uint64_t i = 0; i < triangles; ++i)
+        indices.insert(indices.end(), {0, 1, 2});
     const image::Image once = draw_portable(open_device("reference"), frame, vertices, {0, 1, 2});
     EXPECT_EQ(once.rgba, draw_portable(open_device("reference"), frame, vertices, indices).rgba);
 }

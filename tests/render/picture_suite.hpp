@@ -1,5 +1,5 @@
-// Pictures by every rasteriser of this machine: those of Vulkan devices, and the portable one on every device; and small
-// meshes to draw. Each test fails on any validation message.
+// Pictures by every rasteriser of this machine: those of Vulkan devices, and the portable one on every device; and
+// small meshes to draw. Each test fails on any validation message.
 #pragma once
 
 #include <gtest/gtest.h>
