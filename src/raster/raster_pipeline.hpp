@@ -13,7 +13,7 @@
 
 namespace tessera::raster {
 
-/// Memory beside that of the windows does not depend on what is drawn: about 90 MiB, and `visible`, a word per sample
+/// Memory beside that of the windows does not depend on what is drawn: about 120 MiB, and `visible`, a word per sample
 /// of the largest window.
 class RasterPipeline {
 public:
