@@ -36,6 +36,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define bits_float(x) uintBitsToFloat(x)
 #define to_float(x) float(int(x))
 #define to_uint(x) uint(x)
+#define to_int(x) int(x)
 #define RUN 1u
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
 // The statement for bit = 16, 8, 4, 2 and 1. Written out where runs are vectorised, for a loop in them prevents that;
@@ -66,6 +67,8 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define KERNEL5(name, a, b, c, d, e) a b c d e void main()
 #define KERNEL6(name, a, b, c, d, e, f) a b c d e f void main()
 #define KERNEL7(name, a, b, c, d, e, f, g) a b c d e f g void main()
+#define KERNEL8(name, a, b, c, d, e, f, g, h) a b c d e f g h void main()
+#define KERNEL9(name, a, b, c, d, e, f, g, h, i) a b c d e f g h i void main()
 
 // A run of vertices to their place: those of vertices first..first + RUN - 1 that are below `count`, of a patch that
 // begins at vertex `start`; `run` holds RUN of each of a vertex's eight words. STREAM_WORDS writes RUN words to a
@@ -94,6 +97,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define bits_float(x) as_float(x)
 #define to_float(x) ((float)(int)(x))
 #define to_uint(x) ((uint)(x))
+#define to_int(x) ((int)(x))
 #define RUN TESSERA_RUN  // kernels/streaming.h
 #define FOR_RUN(k) TESSERA_FOR_RUN for (uint k = 0u; k < RUN; ++k)
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
@@ -109,6 +113,8 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define KERNEL5(name, a, b, c, d, e) __kernel void name(a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) __kernel void name(a, b, c, d, e, f)
 #define KERNEL7(name, a, b, c, d, e, f, g) __kernel void name(a, b, c, d, e, f, g)
+#define KERNEL8(name, a, b, c, d, e, f, g, h) __kernel void name(a, b, c, d, e, f, g, h)
+#define KERNEL9(name, a, b, c, d, e, f, g, h, i) __kernel void name(a, b, c, d, e, f, g, h, i)
 
 #define STREAM_GROUP (TESSERA_RUN > 1 ? 2u : 1u)
 #define STREAM_VERTICES TESSERA_STREAM_VERTICES
@@ -158,6 +164,7 @@ KERNELS_END
 #define bits_float(x) std::bit_cast<float>(static_cast<uint>(x))
 #define to_float(x) static_cast<float>(static_cast<int>(x))
 #define to_uint(x) static_cast<uint>(x)
+#define to_int(x) static_cast<int>(x)
 #define RUN 16u
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
@@ -173,6 +180,8 @@ KERNELS_END
 #define KERNEL5(name, a, b, c, d, e) inline void name(Item dispatched, a, b, c, d, e)
 #define KERNEL6(name, a, b, c, d, e, f) inline void name(Item dispatched, a, b, c, d, e, f)
 #define KERNEL7(name, a, b, c, d, e, f, g) inline void name(Item dispatched, a, b, c, d, e, f, g)
+#define KERNEL8(name, a, b, c, d, e, f, g, h) inline void name(Item dispatched, a, b, c, d, e, f, g, h)
+#define KERNEL9(name, a, b, c, d, e, f, g, h, i) inline void name(Item dispatched, a, b, c, d, e, f, g, h, i)
 
 #define STREAM_GROUP 2u
 #define STREAM_VERTICES(buffer, start, first, count, run) tessera_stream_vertices(buffer.data, start, first, count, run)

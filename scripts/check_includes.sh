@@ -19,6 +19,7 @@ patches:            base kernels scene
 tessellate:         base kernels gpu patches
 export:             base scene tessellate
 render:             base image scene tessellate
+raster:             base kernels gpu image scene tessellate render
 verify:             base gpu patches tessellate
 bench:              base kernels gpu image patches scene tessellate render
 backends:           base gpu render verify bench
@@ -27,8 +28,8 @@ backends/opencl:    base kernels gpu backends
 backends/vulkan:    base kernels gpu image scene tessellate render verify bench backends
 registry.cpp:       base gpu render verify bench backends backends/reference backends/opencl backends/vulkan
 peers:
-tessera.hpp:        base gpu image compare scene patches tessellate export render verify backends
-cli:                base gpu image compare scene patches tessellate export render verify bench backends peers
+tessera.hpp:        base gpu image compare scene patches tessellate export render raster verify backends
+cli:                base gpu image compare scene patches tessellate export render raster verify bench backends peers
 "
 
 # <header>, by its first folder or name: the rooms that may include it.

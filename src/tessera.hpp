@@ -4,7 +4,8 @@
 //   patches::make_hair    guide curves become hair patches between neighbouring guides
 //   tessellate            patches become vertices and indices on any gpu::Device
 //   tessellate_hair       hair patches become ribbons; SceneTessellator makes both
-//   exporting, render     those become a file or a picture
+//   exporting, render,
+//   raster                those become a file or a picture
 //   compare::compare      two pictures become numbers
 #pragma once
 
@@ -15,6 +16,7 @@
 #include "image/image.hpp"
 #include "patches/hair.hpp"
 #include "patches/patches.hpp"
+#include "raster/portable_rasteriser.hpp"
 #include "render/mesh_sinks.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/edge_factors.hpp"

@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "backends/vulkan/errors.hpp"
-#include "backends/vulkan/raster_batches.hpp"
 #include "backends/vulkan/raster_pipelines.hpp"
 #include "backends/vulkan/raster_stream.hpp"
 #include "backends/vulkan/raster_textures.hpp"
+#include "render/triangle_batches.hpp"
 
 namespace tessera::backends::vulkan {
 namespace {
@@ -41,6 +41,11 @@ public:
     }
 
     void begin(const render::Frame& frame) override {
+        if (frame.samples != 4) {
+            throw Error(ErrorKind::usage, fmt::format("A Vulkan device draws with 4 samples per pixel, not {}; the "
+                                                      "portable rasteriser draws with 1 or 4.",
+                                                      frame.samples));
+        }
         stream_.finish();
         stream_.set_frame({}, {});
         if (frame.width != targets_.width || frame.height != targets_.height) {
@@ -83,7 +88,7 @@ public:
                         fmt::format("A draw has {} indices, which is no multiple of 3.", indices.size()));
         }
         while (!indices.empty()) {
-            const TriangleBatch batch = take_batch(indices, vertices.size());
+            const render::TriangleBatch batch = render::take_batch(indices, vertices.size());
             draw_batch(batch, vertices, materials_[material]);
             indices = indices.subspan(batch.indices.size());
         }
@@ -157,7 +162,8 @@ private:
         commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines_.mesh_layout(), 0, frame_set_, {});
     }
 
-    void draw_batch(const TriangleBatch& batch, std::span<const Vertex> vertices, const scene::Material& material) {
+    void draw_batch(const render::TriangleBatch& batch, std::span<const Vertex> vertices,
+                    const scene::Material& material) {
         const bool wireframe = shading_ == render::Shading::wireframe;
         const bool indexed = batch.is_local() && !wireframe;  // a wireframe tells corners by their place in the draw
         const std::uint64_t vertex_bytes =
@@ -166,9 +172,9 @@ private:
         const RasterStream::Piece piece = stream_.reserve(vertex_bytes + index_bytes);
         if (indexed) {
             std::memcpy(piece.data, &vertices[batch.first_vertex], vertex_bytes);
-            write_local_indices(batch, reinterpret_cast<std::uint32_t*>(piece.data + vertex_bytes));
+            render::write_local_indices(batch, reinterpret_cast<std::uint32_t*>(piece.data + vertex_bytes));
         } else {
-            write_corners(batch, vertices, reinterpret_cast<Vertex*>(piece.data));
+            render::write_corners(batch, vertices, reinterpret_cast<Vertex*>(piece.data));
         }
 
         const bool blend = material.alpha_mode == scene::AlphaMode::blend && !wireframe;

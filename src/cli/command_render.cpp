@@ -9,6 +9,7 @@
 #include "cli/picture_output.hpp"
 #include "cli/progress.hpp"
 #include "image/panels.hpp"
+#include "raster/portable_rasteriser.hpp"
 #include "render/mesh_sinks.hpp"
 #include "render/survey.hpp"
 #include "tessellate/scene_tessellator.hpp"
@@ -30,6 +31,8 @@ struct Words {
     std::string size = "1024x1024";
     CameraWords camera;
     std::string shading = "phong";
+    std::string raster = "auto";
+    std::uint32_t samples = 4;
     bool transparent = false;
     std::vector<std::string> compare;
     std::uint32_t turntable = 0;  // frames, or 0 for one picture
@@ -124,10 +127,25 @@ image::Image draw(std::vector<Cell>& cells, const render::Frame& frame, const sc
     return image::beside(panels, frame.background.a > 0.0f ? grey : image::Rgba{});
 }
 
+/// The device's own rasteriser where it has one that can draw the frame, the portable one elsewhere, unless told.
+std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, const gpu::Device& device,
+                                                    std::uint32_t samples) {
+    const bool has_own = device.info().rasteriser;
+    if (which == "device" && !has_own) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} has no rasteriser of its own; choose --raster portable.", device.info().id));
+    }
+    if (which == "device" || (which == "auto" && has_own && samples == 4)) {
+        return backends::open_rasteriser(device.info().id);
+    }
+    return raster::open_portable(device);
+}
+
 int run(const Context& context, const Words& words) {
     render::Frame frame;
     std::tie(frame.width, frame.height) = parse_size(words.size);
     frame.shading = parse_shading(words.shading);
+    frame.samples = words.samples;
     if (words.transparent) {
         frame.background = glm::vec4(0.0f);
     }
@@ -143,7 +161,7 @@ int run(const Context& context, const Words& words) {
     PictureOutput output = make_output(words);
     gpu::Device device = backends::open_device(words.device);
     std::vector<Cell> cells = make_cells(words, device, patches, hair, hair_options);
-    const auto rasteriser = backends::open_rasteriser(device.info().rasteriser ? device.info().id : "");
+    const auto rasteriser = open_rasteriser(words.raster, device, words.samples);
 
     const std::uint32_t frames = std::max(words.turntable, 1u);
     Progress progress("rendering", context.quiet);
@@ -188,13 +206,22 @@ void add_render_command(CLI::App& app, Context& context) {
         ->required();
     command
         ->add_option("--device", words->device,
-                     "Where to tessellate: reference, vulkan[:index or name] or "
+                     "Where to tessellate and draw: reference, vulkan[:index or name] or "
                      "opencl[:index or name]")
         ->capture_default_str();
     command->add_option("--size", words->size, "WIDTHxHEIGHT in pixels, up to 8192x8192; of each scheme with --compare")
         ->capture_default_str();
     add_camera_options(*command, words->camera);
     command->add_option("--shading", words->shading, "phong, normals or wireframe")->capture_default_str();
+    command
+        ->add_option("--raster", words->raster,
+                     "What draws: device (the GPU's own rasteriser), portable (kernels, the same bits on every device) "
+                     "or auto: device where there is one")
+        ->check(CLI::IsMember({"auto", "device", "portable"}))
+        ->capture_default_str();
+    command->add_option("--samples", words->samples, "Samples per pixel: 4, or 1, which only portable draws")
+        ->check(CLI::IsMember({1, 4}))
+        ->capture_default_str();
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
     command->add_option("--compare", words->compare, "Schemes side by side under one camera: linear,phong,pn")
         ->delimiter(',')

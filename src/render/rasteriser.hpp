@@ -1,4 +1,5 @@
-// What draws triangles into an image. Implemented by backends that have a rasteriser (Vulkan).
+// What draws triangles into an image. Implemented by backends that have a rasteriser (Vulkan), and for every other
+// device by kernels (raster/portable_rasteriser.hpp).
 #pragma once
 
 #include "image/image.hpp"
@@ -19,12 +20,13 @@ struct Frame {
     std::uint32_t width = 1024, height = 1024;  ///< pixels, [1, 8192]
     Camera camera;
     Shading shading = Shading::phong;
+    std::uint32_t samples = 4;  ///< per pixel: 1 (its middle) or 4 (the places of Vulkan); Vulkan's own draws with 4
     /// Linear RGBA, not premultiplied; alpha 0 is transparent. The default is a light neutral grey, sRGB (244, 245,
     /// 247).
     glm::vec4 background{0.905f, 0.913f, 0.930f, 1.0f};
 };
 
-/// Draws into one multisampled image with depth. Call order: begin, set_materials once, draw any number of times,
+/// Draws into one image with depth. Call order: begin, set_materials once, draw any number of times,
 /// finish.
 class Rasteriser {
 public:

@@ -28,11 +28,48 @@ TEST(MissingDevices, UnknownWordsAreAMatterOfUsage) {
     }
 }
 
-TEST(MissingDevices, RenderingNeedsARasteriser) {
+/// Without a Vulkan loader, without any OpenCL platform.
+const std::vector<std::string> no_vulkan{"TESSERA_VULKAN_LOADER=/nonexistent"};
+const std::vector<std::string> no_opencl{"OCL_ICD_VENDORS=/nonexistent"};
+
+TEST(MissingDevices, RenderingWorksWithoutThem) {
     const Folder folder;
-    const Result result = run({"render", "shape:torus", "-o", folder.file("out.png")}, no_devices());
-    EXPECT_EQ(result.code, 3) << result.errors;
-    EXPECT_TRUE(folder.names().empty());
+    const auto render = [&](const std::string& name, const std::string& device,
+                            const std::vector<std::string>& environment) {
+        const Result result =
+            run({"render", "shape:torus", "-o", folder.file(name), "--device", device, "--size", "90x70"}, environment);
+        EXPECT_EQ(result.code, 0) << name << ": " << result.errors;
+        return read_file(folder.file(name));
+    };
+    const std::string reference = render("reference.png", "reference", no_devices());
+    EXPECT_FALSE(reference.empty());
+    EXPECT_EQ(render("hidden.png", "reference", no_vulkan), reference);
+    EXPECT_EQ(render("opencl.png", "opencl", no_vulkan), reference);
+    EXPECT_FALSE(render("vulkan.png", "vulkan", no_opencl).empty());
+}
+
+TEST(Raster, IsChosenByWords) {
+    const Folder folder;
+    const auto render = [&](const std::string& name, std::vector<std::string> words) {
+        words.insert(words.begin(), {"render", "shape:torus", "-o", folder.file(name), "--size", "90x70"});
+        const Result result = run(words);
+        EXPECT_EQ(result.code, 0) << name << ": " << result.errors;
+        return read_file(folder.file(name));
+    };
+    const std::string portable = render("a.png", {"--raster", "portable"});
+    EXPECT_EQ(render("b.png", {"--raster", "portable", "--device", "vulkan"}), portable);
+    EXPECT_NE(render("c.png", {"--raster", "device", "--device", "vulkan"}), portable);
+    const std::string single = render("d.png", {"--samples", "1", "--device", "vulkan"});  // portable, for it can
+    EXPECT_EQ(render("e.png", {"--samples", "1"}), single);
+    EXPECT_NE(single, portable);
+    for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--raster", "device"},
+                                                  {"--samples", "3"},
+                                                  {"--raster", "hand"},
+                                                  {"--raster", "device", "--device", "vulkan", "--samples", "1"}}) {
+        std::vector<std::string> words{"render", "shape:torus", "-o", folder.file("no.png")};
+        words.insert(words.end(), wrong.begin(), wrong.end());
+        EXPECT_EQ(run(words).code, 2) << wrong[1];
+    }
 }
 
 TEST(MissingDevices, VerifyFailsWhereARequiredBackendIsMissing) {

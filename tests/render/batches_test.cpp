@@ -1,5 +1,5 @@
 // Batches cover every triangle once, in order, and never upload more than three vertices for each.
-#include "backends/vulkan/raster_batches.hpp"
+#include "render/triangle_batches.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace tessera::backends::vulkan {
+namespace tessera::render {
 namespace {
 
 TEST(Batches, CoverEveryTriangleInOrder) {
@@ -60,4 +60,4 @@ TEST(Batches, RefuseAnIndexBeyondTheVertices) {
 }
 
 }  // namespace
-}  // namespace tessera::backends::vulkan
+}  // namespace tessera::render

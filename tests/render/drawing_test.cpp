@@ -11,7 +11,7 @@ constexpr Pixel facing{128, 128, 255, 255};  // the normal (0, 0, 1) as a colour
 
 class Drawing : public Picture {};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Drawing);
-INSTANTIATE_TEST_SUITE_P(Vulkan, Drawing, testing::ValuesIn(drawing_devices()));
+INSTANTIATE_TEST_SUITE_P(By, Drawing, testing::ValuesIn(drawers()), drawer_name);
 
 /// The lower left half of the image; the pixels of its diagonal are half covered.
 DrawnMesh half_image() {

@@ -15,7 +15,7 @@ protected:
     const glm::vec3 unlit{0.5f, -0.7f, -1.0f};
 };
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Materials);
-INSTANTIATE_TEST_SUITE_P(Vulkan, Materials, testing::ValuesIn(drawing_devices()));
+INSTANTIATE_TEST_SUITE_P(By, Materials, testing::ValuesIn(drawers()), drawer_name);
 
 /// An image of four quarters: red, green; blue, white.
 scene::SceneImage quarters(std::uint32_t side) {

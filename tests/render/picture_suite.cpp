@@ -1,12 +1,13 @@
 #include "render/picture_suite.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "backends/vulkan/instance.hpp"
 #include "backends/vulkan/validation.hpp"
-#include "backends/vulkan/vulkan_backend.hpp"
-#include "backends/vulkan/vulkan_rasteriser.hpp"
+#include "raster/portable_rasteriser.hpp"
+#include "support/devices.hpp"
 #include "support/environment.hpp"
 
 namespace tessera::test {
@@ -84,7 +85,8 @@ void Picture::SetUp() {
     frame.camera = flat_camera();
     frame.shading = render::Shading::normals;
     frame.background = glm::vec4(0.0f);
-    rasteriser = vulkan::open_rasteriser(GetParam());
+    rasteriser = GetParam().portable ? raster::open_portable(open_device(GetParam().device))
+                                     : backends::open_rasteriser(GetParam().device);
     EXPECT_EQ(vulkan::validation_active(), vulkan::validation_wanted());
 }
 
@@ -102,19 +104,29 @@ image::Image Picture::draw(const DrawnMesh& mesh, const scene::Material& materia
     return rasteriser->finish();
 }
 
-std::vector<std::size_t> drawing_devices() {
-    std::vector<std::size_t> found;
-    const std::vector<gpu::DeviceInfo> devices = vulkan::list().devices;
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        if (devices[i].rasteriser) found.push_back(i);
+void PrintTo(const Drawer& drawer, std::ostream* out) {
+    *out << (drawer.portable ? "portable on " : "") << drawer.device;
+}
+
+std::string drawer_name(const testing::TestParamInfo<Drawer>& drawer) {
+    std::string name = (drawer.param.portable ? "portable_" : "") + drawer.param.device;
+    std::ranges::replace(name, ':', '_');
+    return name;
+}
+
+std::vector<Drawer> drawers() {
+    std::vector<Drawer> found;
+    for (const gpu::DeviceInfo& info : machine().devices) {
+        if (info.rasteriser) found.push_back({info.id, false});
+        found.push_back({info.id, true});
     }
     return found;
 }
 
 TEST(PictureDevices, AreThere) {
-    if (!drawing_devices().empty()) return;
+    if (std::ranges::any_of(drawers(), [](const Drawer& drawer) { return !drawer.portable; })) return;
     if (everything_required()) FAIL() << "no Vulkan device draws";
-    GTEST_SKIP() << "no Vulkan device draws: pictures are not tested";
+    GTEST_SKIP() << "no Vulkan device draws: its pictures are not tested";
 }
 
 }  // namespace tessera::test

@@ -1,4 +1,5 @@
-// Pictures on every Vulkan device that draws, and small meshes to draw. Each test fails on any validation message.
+// Pictures by every rasteriser of this machine: those of Vulkan devices, and the portable one on every device; and
+// small meshes to draw. Each test fails on any validation message.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,9 +35,19 @@ void expect_pixel(const image::Image& image, std::uint32_t x, std::uint32_t y, c
 /// A linear value as its 8-bit sRGB code.
 int srgb(double linear);
 
-/// Runs on each device of vulkan::list() that draws. `rasteriser` is opened for each test, so that its destruction is
-/// validated as well.
-class Picture : public testing::TestWithParam<std::size_t> {
+/// A device's own rasteriser, or the portable one on it.
+struct Drawer {
+    std::string device;  ///< as `--device` takes it
+    bool portable = false;
+};
+void PrintTo(const Drawer& drawer, std::ostream* out);
+/// "vulkan_1" or "portable_vulkan_1".
+std::string drawer_name(const testing::TestParamInfo<Drawer>& drawer);
+/// Every rasteriser of this machine.
+std::vector<Drawer> drawers();
+
+/// Runs with each of drawers(). `rasteriser` is opened for each test, so that its destruction is validated as well.
+class Picture : public testing::TestWithParam<Drawer> {
 protected:
     void SetUp() override;
     void TearDown() override;
@@ -48,8 +59,5 @@ protected:
     render::Frame frame;  ///< what draw() begins with
     std::unique_ptr<render::Rasteriser> rasteriser;
 };
-
-/// The places in vulkan::list() of the devices that draw.
-std::vector<std::size_t> drawing_devices();
 
 }  // namespace tessera::test

@@ -20,7 +20,7 @@ protected:
     }
 };
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Misuse);
-INSTANTIATE_TEST_SUITE_P(Vulkan, Misuse, testing::ValuesIn(drawing_devices()));
+INSTANTIATE_TEST_SUITE_P(By, Misuse, testing::ValuesIn(drawers()), drawer_name);
 
 TEST_P(Misuse, OfSizesIsRefused) {
     for (const auto& [width, height] : {std::pair{0u, 64u}, {64u, 0u}, {8193u, 64u}, {64u, 4000000000u}}) {

@@ -6,7 +6,7 @@
 
 #include "tessellate/refined_mesh.hpp"
 
-namespace tessera::backends::vulkan {
+namespace tessera::render {
 
 /// A run of triangles, and the range of vertices that they use.
 struct TriangleBatch {
@@ -30,4 +30,4 @@ void write_local_indices(const TriangleBatch& batch, std::uint32_t* destination)
 /// Writes three vertices for each triangle.
 void write_corners(const TriangleBatch& batch, std::span<const Vertex> vertices, Vertex* destination);
 
-}  // namespace tessera::backends::vulkan
+}  // namespace tessera::render

@@ -1,4 +1,4 @@
-#include "backends/vulkan/raster_batches.hpp"
+#include "render/triangle_batches.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace tessera::backends::vulkan {
+namespace tessera::render {
 
 TriangleBatch take_batch(std::span<const std::uint32_t> indices, std::uint64_t vertex_count) {
     TriangleBatch batch;
@@ -32,4 +32,4 @@ void write_corners(const TriangleBatch& batch, std::span<const Vertex> vertices,
                    [&](std::uint32_t index) { return vertices[index]; });
 }
 
-}  // namespace tessera::backends::vulkan
+}  // namespace tessera::render

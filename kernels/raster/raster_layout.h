@@ -1,0 +1,150 @@
+// Buffers, limits and parameters of the portable rasteriser, shared by its kernels and the host.
+//
+//   transform   vertices                        -> screen vertices: fixed-point place, depth, outcode
+//   setup       screen vertices, indices        -> records and bounds, one per triangle
+//   clip        vertices, indices, bounds       -> polygons of the triangles that are large or need clipping
+//   count       bounds                          -> counts[block][tile]
+//   columns     counts                          -> exclusive sums down each column; totals per tile
+//   (the host reads the totals, finds where each list begins and which tiles have one)
+//   fill        bounds, counts                  -> the lists: triangles in order, tile after tile
+//   cover       lists, records                  -> depth and visible triangle per sample   (opaque materials)
+//   shade_*     visible triangles, vertices     -> colours                                 (opaque materials)
+//   forward     lists, records, vertices        -> depth and colours, in order             (masked and blended ones)
+//   resolve     colours                         -> picture
+//
+// `bins` holds the starts of the tiles' lists and the end of the last one, the numbers of the tiles that have any
+// triangle, and at `list_at` the lists.
+//
+// No order depends on timing: a tile's triangles are walked in the order in which they were drawn, and a sample goes to
+// the first of those that are equally near.
+#ifndef TESSERA_RASTER_LAYOUT_H
+#define TESSERA_RASTER_LAYOUT_H
+
+#include "dialect.h"
+
+// Sub-pixel positions per pixel. Screen coordinates are integers in these units from the middle of the image, y down.
+#define RASTER_SUBPIXELS_LOG2 8u
+#define RASTER_SUBPIXELS 256
+// Vertices lie in [-2^21, 2^21]: 8192 pixels to either side of the middle, so that an image of 8192 pixels has a guard
+// band of half its width around it, and differences of two coordinates are exact as floats.
+#define RASTER_GUARD 2097152
+#define RASTER_GUARD_FLOAT 2097152.0f
+
+// Tiles are squares of 16 pixels. Samples of a tile lie together, sample after sample, row after row:
+//   index = (tile * samples + sample) * 256 + (y % 16) * 16 + x % 16.
+#define RASTER_TILE_LOG2 4u
+#define RASTER_TILE 16u
+#define RASTER_TILE_PIXELS 256u
+
+// Samples. Where a pixel has four, they are those of Direct3D and Vulkan, in units of a quarter pixel and from the
+// middle of a quarter: (1, 0), (3, 1), (0, 2), (2, 3). Every quarter row of the image holds one sample per pixel, so
+// "sample rows" and "sample columns" number quarters (whole pixels where there is one sample in the middle).
+#define RASTER_COLUMNS_OF_4 0x8du  // two bits per sample: the column of the sample in row i
+
+// Screen vertex: x and y (int), depth (float), outcode.
+#define SCREEN_VERTEX_WORDS 4u
+#define OUT_LEFT 1u
+#define OUT_RIGHT 2u
+#define OUT_TOP 4u
+#define OUT_BOTTOM 8u
+#define OUT_NEAR 16u
+#define OUT_FAR 32u
+#define OUT_MASK 63u
+#define OUT_CLIP 64u      // behind the eye or beyond the guard band: x, y and depth mean nothing
+#define OUT_INVALID 128u  // not finite or out of all measure: its triangles are dropped
+
+// Record of a triangle, all words but the flags only where it is RECORD_SMALL (both sides of its box up to 64 pixels):
+//   x0 y0, then x1 - x0 and y1 - y0, x2 - x0 and y2 - y0 in 16 bits each, depth at corner 0 and its slopes per
+//   sub-pixel in x and y, flags. Corners are turned so that its doubled area is positive.
+#define TRIANGLE_WORDS 8u
+#define TRIANGLE_SMALL 1u
+#define TRIANGLE_BACK 2u
+#define SMALL_EXTENT 16384
+
+// Behind the records lie the polygons of triangles that are not small: number of corners, then x, y and depth of each.
+#define POLYGON_CORNERS 8u
+#define POLYGON_WORDS 25u
+
+// Bounds of a triangle in sample columns and rows of the image, two words: first | last << 16 of each.
+#define BOUNDS_WORDS 2u
+#define BOUNDS_EMPTY 0x0000ffffu
+#define BOUNDS_UNKNOWN 0x0001ffffu  // as columns of a triangle that the clip stage has to look at
+
+// What lies before the texels of a texture: sRGB codes as linear floats; a table from linear floats to codes (two
+// floats per entry); where each mip level begins, in words of the buffer.
+#define SRGB_DECODE_AT 0u
+#define SRGB_ENCODE_AT 256u
+#define SRGB_ENCODE_ENTRIES 104u
+#define LEVELS_AT 464u
+#define LEVELS_MAX 16u
+#define TEXELS_AT 480u
+
+#define SHADING_PHONG 0u
+#define SHADING_NORMALS 1u
+#define SHADING_WIREFRAME 2u
+
+KERNELS_BEGIN
+
+// One draw of up to RASTER_CHUNK triangles of one material into one window of the image: what every stage but the
+// binning takes.
+STRUCT(DrawParams) {
+    uint vertex_count;
+    uint triangle_count;
+    // Clip space from model space, a row each for x, y, z and w.
+    float xx, xy, xz, xt;
+    float yx, yy, yz, yt;
+    float zx, zy, zz, zt;
+    float wx, wy, wz, wt;
+    // Camera space from model space without its translation, rows right, up, back; and its scale's reciprocal.
+    float rx, ry, rz, rt;
+    float ux, uy, uz, ut;
+    float bx, by, bz, bt;
+    float unscale;
+    // The image.
+    float half_width, half_height;  // sub-pixels
+    float guard_x, guard_y;         // guard band over half the image
+    float pixel_x, pixel_y;         // size of a pixel in the units of x / w and y / w
+    uint columns, rows;             // sample columns and rows
+    uint axis_log2;                 // log2 of sample columns per pixel: 0 or 2
+    uint column_of_row;             // RASTER_COLUMNS_OF_4, or 0 for one sample
+    // The window: its first tile in the image, and its size in tiles.
+    uint tile_x, tile_y;
+    uint tiles_x, tiles_y;
+    // The material.
+    uint cull;         // 1: back faces are dropped
+    uint keeps_alpha;  // 0: drawn opaque
+    float red, green, blue, alpha;
+    float cutoff;  // pixels with less alpha are dropped; 0 for none
+    uint texture_width, texture_height, texture_levels;
+    uint shading;
+    // How items share out the work.
+    uint tile_count;   // tiles that have a list
+    uint list_at;      // first word of the lists in `bins`
+    uint first_entry;  // of each list, and how many entries are drawn
+    uint entry_count;
+    uint polygons_at;  // first word of the polygons in `records`
+    uint spread_log2;  // every 2^n-th item has (a part of) a tile
+    uint parts_log2;   // 2^n items share a tile, a band of rows each
+};
+
+STRUCT(BinParams) {
+    uint first_triangle;
+    uint triangle_count;
+    uint block;        // triangles per item
+    uint spread_log2;  // every 2^n-th item has a block
+    uint blocks;
+    uint tile_x, tile_y;
+    uint tiles_x, tiles_y;
+    uint tile_shift;  // log2 of sample columns per tile
+    uint list_at;
+};
+
+STRUCT(ResolveParams) {
+    uint tiles_x;
+    uint width, height;  // of the window, pixels
+    uint samples;
+};
+
+KERNELS_END
+
+#endif

@@ -1,0 +1,179 @@
+// The colour of a triangle in a pixel: what the present materials have, base colour and texture under Phong's light.
+//
+// Richer materials replace this file and the kernels made of it (shade_kernel.h), nothing else. What they get is the
+// interface of the visibility buffer: a triangle of the draw and the side that is seen, for a pixel of the image. From
+// these they have, by interpolation.h, the corners with all their attributes, perspective-correct weights at the
+// pixel's middle (weights_inside keeps them in the triangle) and the change of the weights to the neighbours:
+// derivatives of any attribute, for footprints of textures, tangent frames and lines of even width. Everything of the
+// draw comes in DrawParams, one material each; textures lie in `texels` (raster_layout.h). The result is light
+// multiplied by alpha.
+#ifndef TESSERA_RASTER_SHADING_H
+#define TESSERA_RASTER_SHADING_H
+
+#include "raster/srgb.h"
+
+KERNELS_BEGIN
+
+// The light and the reflection constants are those of the Vulkan rasteriser (raster_mesh.frag): van Veen and Baakman,
+// "Curved PN triangles on the GPU", figure 14; their exponent of 150 for Phong's reflected ray is 600 for Blinn's half
+// vector.
+#define LIGHT_AMBIENT 0.4f
+#define LIGHT_DIFFUSE 0.5f
+#define LIGHT_SPECULAR 0.3f
+
+/// normalize(-0.5, 0.7, 1), in camera space.
+FUNCTION Vector to_light(void) {
+    return make_vector(-0.379049021f, 0.530668616f, 0.758098043f);
+}
+
+FUNCTION float flushed_square(float x) {
+    return flush_tiny(x * x);
+}
+
+/// x^600 for x in [0, 1]; under 2^-60 it is 0.
+FUNCTION float power_600(float x) {
+    const float x8 = flushed_square(flushed_square(flushed_square(flush_tiny(x))));
+    const float x16 = flushed_square(x8);
+    const float x64 = flushed_square(flushed_square(x16));
+    const float x512 = flushed_square(flushed_square(flushed_square(x64)));
+    return flush_tiny(flush_tiny(x8 * x16) * flush_tiny(x64 * x512));
+}
+
+/// The unit normal on the visible side, in the model's axes. A normal without length faces the viewer.
+FUNCTION Vector facing_normal(DrawParams p, Vector normal, bool back) {
+    const Vector to_viewer = make_vector(p.bx * p.unscale, p.by * p.unscale, p.bz * p.unscale);
+    const Vector n = normalise(normal, make_vector(0.0f, 0.0f, 0.0f));
+    const bool none = !(dot_product(n, n) > 0.0f);
+    const float side = choose(back, -1.0f, 1.0f);
+    return make_vector(choose(none, to_viewer.x, n.x * side), choose(none, to_viewer.y, n.y * side),
+                       choose(none, to_viewer.z, n.z * side));
+}
+
+FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour base) {
+    const Vector rotated = make_vector(((p.rx * normal.x + p.ry * normal.y) + p.rz * normal.z) * p.unscale,
+                                       ((p.ux * normal.x + p.uy * normal.y) + p.uz * normal.z) * p.unscale,
+                                       ((p.bx * normal.x + p.by * normal.y) + p.bz * normal.z) * p.unscale);
+    const Vector n = flush_vector(rotated);
+    const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
+    const Vector to_eye = normalise(make_vector(-camera.x, -camera.y, -camera.z), ahead);
+    const Vector halfway = normalise(add(to_light(), to_eye), ahead);
+    const float lit = at_least(dot_product(n, to_light()), 0.0f);
+    const float high = at_most(at_least(dot_product(n, halfway), 0.0f), 1.0f);
+    const float shine = choose(lit > 0.0f, power_600(high), 0.0f);
+    const float body = LIGHT_AMBIENT + LIGHT_DIFFUSE * lit;
+    const float white = LIGHT_SPECULAR * shine;
+    Colour c;
+    c.red = base.red * body + white;
+    c.green = base.green * body + white;
+    c.blue = base.blue * body + white;
+    c.alpha = base.alpha;
+    return c;
+}
+
+/// Distance to the edge opposite a corner, in pixels.
+FUNCTION float edge_distance(float weight, float across, float down) {
+    const float squared = flush_tiny(flushed_square(across) + flushed_square(down));
+    return weight * exact_rsqrt(at_least(squared, 1e-16f));
+}
+
+/// Dark lines 1.5 pixels wide on a light fill.
+FUNCTION Colour wire_colour(Weights w, Weights across, Weights down, float alpha) {
+    const float a = edge_distance(w.a, across.a, down.a);
+    const float b = edge_distance(w.b, across.b, down.b);
+    const float c = edge_distance(w.c, across.c, down.c);
+    const float nearest = at_most(at_most(a, b), c);
+    const float t = at_most(at_least(nearest - 0.25f, 0.0f), 1.0f);
+    const float s = (t * t) * (3.0f - 2.0f * t);
+    Colour colour;
+    colour.red = 0.02f + s * 0.78f;
+    colour.green = 0.05f + s * 0.77f;
+    colour.blue = 0.12f + s * 0.73f;
+    colour.alpha = alpha;
+    return colour;
+}
+
+KERNELS_END
+
+#define LOAD_CORNER(p, vertex)                                                                  \
+    make_corner(p, LOAD_VECTOR(vertices, (vertex)*8u), LOAD_VECTOR(vertices, (vertex)*8u + 3u), \
+                vertices[(vertex)*8u + 6u], vertices[(vertex)*8u + 7u])
+
+// The steps of shading a triangle in the pixel (px, py) of the image, as macros because they read the buffers vertices,
+// indices and texels. Each declares what later ones use.
+#define SHADE_CORNERS(p, triangle, px, py)                         \
+    const Corner ca = LOAD_CORNER(p, indices[(triangle)*3u]);      \
+    const Corner cb = LOAD_CORNER(p, indices[(triangle)*3u + 1u]); \
+    const Corner cc = LOAD_CORNER(p, indices[(triangle)*3u + 2u]); \
+    const Weights weights = pixel_weights(p, ca, cb, cc, px, py);  \
+    Colour base;                                                   \
+    base.red = p.red;                                              \
+    base.green = p.green;                                          \
+    base.blue = p.blue;                                            \
+    base.alpha = p.alpha;
+
+#define SHADE_INSIDE const Weights inside = weights_inside(weights);
+
+#define SHADE_STEPS(p, px, py)                                                                     \
+    const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
+    const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);
+
+// Multiplies `base` by the texture. The next level is read even where it has no weight: a branch would cost more.
+#define SHADE_TEXTURE(p)                                                             \
+    const float level = texture_level(p, across, down, ca, cb, cc);                  \
+    const uint whole = to_uint(floor_to_int(level));                                 \
+    const uint next = choose_bits(whole + 1u < p.texture_levels, whole + 1u, whole); \
+    const float part = level - to_float(whole);                                      \
+    const float u = weigh(inside, ca.u, cb.u, cc.u);                                 \
+    const float v = weigh(inside, ca.v, cb.v, cc.v);                                 \
+    Colour texture_colour;                                                           \
+    texture_colour.red = 0.0f;                                                       \
+    texture_colour.green = 0.0f;                                                     \
+    texture_colour.blue = 0.0f;                                                      \
+    texture_colour.alpha = 0.0f;                                                     \
+    ADD_LEVEL(texture_colour, texels, p, whole, u, v, (1.0f - part))                 \
+    ADD_LEVEL(texture_colour, texels, p, next, u, v, part)                           \
+    base.red = base.red * texture_colour.red;                                        \
+    base.green = base.green * texture_colour.green;                                  \
+    base.blue = base.blue * texture_colour.blue;                                     \
+    base.alpha = base.alpha * texture_colour.alpha;
+
+#define SHADE_NORMAL(p, back)                                                           \
+    const Vector model_normal = weigh_vectors(inside, ca.normal, cb.normal, cc.normal); \
+    const Vector normal = facing_normal(p, model_normal, back);
+
+#define SHADE_PHONG(colour, p)                                                    \
+    const Vector camera = weigh_vectors(inside, ca.camera, cb.camera, cc.camera); \
+    colour = phong_light(p, normal, camera, base);
+
+// The codes of the picture are the normal.
+#define SHADE_NORMAL_AS_COLOUR(colour)                                                    \
+    colour.red = SRGB_DECODE(texels, round_to_code((normal.x * 0.5f + 0.5f) * 255.0f));   \
+    colour.green = SRGB_DECODE(texels, round_to_code((normal.y * 0.5f + 0.5f) * 255.0f)); \
+    colour.blue = SRGB_DECODE(texels, round_to_code((normal.z * 0.5f + 0.5f) * 255.0f));  \
+    colour.alpha = base.alpha;
+
+// All of it, for materials that may be dropped or blended.
+#define SHADE(colour, dropped, p, triangle, back, px, py)            \
+    {                                                                \
+        SHADE_CORNERS(p, triangle, px, py)                           \
+        SHADE_INSIDE                                                 \
+        SHADE_STEPS(p, px, py)                                       \
+        if (p.texture_levels != 0u) {                                \
+            SHADE_TEXTURE(p)                                         \
+        }                                                            \
+        dropped = base.alpha < p.cutoff;                             \
+        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);  \
+        SHADE_NORMAL(p, back)                                        \
+        if (p.shading == SHADING_WIREFRAME) {                        \
+            colour = wire_colour(weights, across, down, base.alpha); \
+        } else if (p.shading == SHADING_NORMALS) {                   \
+            SHADE_NORMAL_AS_COLOUR(colour)                           \
+        } else {                                                     \
+            SHADE_PHONG(colour, p)                                   \
+        }                                                            \
+        colour.red = colour.red * colour.alpha;                      \
+        colour.green = colour.green * colour.alpha;                  \
+        colour.blue = colour.blue * colour.alpha;                    \
+    }
+
+#endif

@@ -1,0 +1,93 @@
+// Lists of tiles -> the nearest triangle of each sample. Most triangles are smaller than a pixel: what they need is
+// in their record, and only rows and columns of samples within their box are looked at.
+#include "raster/tile.h"
+
+KERNELS_BEGIN
+
+KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), WRITE(3, uint, depths),
+        WRITE(4, uint, visible), UNIFORM(5, DrawParams, params)) {
+    const DrawParams p = LOAD_UNIFORM(params);
+    const uint listed = listed_tile_of(p, ITEM);
+    if (listed >= p.tile_count) {
+        return;
+    }
+    const TilePart part = tile_part(p, ITEM, bins[LISTED_TILES_AT(p) + listed]);
+    const uint first = p.list_at + bins[part.tile] + p.first_entry;
+    const uint end = p.list_at + bins[part.tile + 1u];
+    const uint last = end > first + p.entry_count ? first + p.entry_count : end;
+    const uint unit_log2 = RASTER_SUBPIXELS_LOG2 - p.axis_log2;
+    // Sub-pixels from the middle of the image of sample column and row 0.
+    const int origin_x = (1 << (unit_log2 - 1u)) - to_int(p.columns << (unit_log2 - 1u));
+    const int origin_y = (1 << (unit_log2 - 1u)) - to_int(p.rows << (unit_log2 - 1u));
+    const int axis_mask = (1 << p.axis_log2) - 1;
+    for (uint n = first; n < last; ++n) {
+        const uint triangle = bins[n];
+        const uint columns = bounds[triangle * BOUNDS_WORDS];
+        const uint rows = bounds[triangle * BOUNDS_WORDS + 1u];
+        const int first_row = larger(to_int(rows & 0xffffu), part.first_row);
+        const int last_row = smaller(to_int(rows >> 16u), part.last_row);
+        const int first_column = larger(to_int(columns & 0xffffu), part.first_column);
+        const int last_column = smaller(to_int(columns >> 16u), part.last_column);
+        const uint at = triangle * TRIANGLE_WORDS;
+        const uint flags = records[at + 7u];
+        if ((flags & TRIANGLE_SMALL) != 0u) {
+            const RasterTriangle t = LOAD_SMALL_TRIANGLE(records, at, flags);
+            const int least2 = edge_least(t.dx1, t.dy1);
+            const int least1 = edge_least(-t.dx2, -t.dy2);
+            const int least0 = edge_least(t.dx2 - t.dx1, t.dy2 - t.dy1);
+            const int area = t.dx1 * t.dy2 - t.dy1 * t.dx2;
+            const uint seen = triangle | ((flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
+            for (int row = first_row; row <= last_row; ++row) {
+                const int in_pixel = column_in_pixel(p, row);
+                const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
+                const int last_x = (last_column - in_pixel) >> p.axis_log2;
+                const int py = origin_y + (row << unit_log2) - t.y0;
+                for (int x = first_x; x <= last_x; ++x) {
+                    const int px = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2) - t.x0;
+                    const int e2 = t.dx1 * py - t.dy1 * px;
+                    const int e1 = t.dy2 * px - t.dx2 * py;
+                    const int e0 = area - e1 - e2;
+                    if (e2 >= least2 && e1 >= least1 && e0 >= least0) {
+                        const float z = t.z0 + (t.slope_x * to_float(px) + t.slope_y * to_float(py));
+                        const uint place = sample_index(p, part.tile, x, row);
+                        if (z >= 0.0f && z < bits_float(depths[place])) {
+                            depths[place] = float_bits(z);
+                            visible[place] = seen;
+                        }
+                    }
+                }
+            }
+        } else {
+            const uint polygon = p.polygons_at + triangle * POLYGON_WORDS;
+            const uint corners = records[polygon];
+            for (uint corner = 2u; corner < corners; ++corner) {
+                const RasterTriangle t = make_raster_triangle(LOAD_POLYGON_CORNER(records, polygon, 0u),
+                                                              LOAD_POLYGON_CORNER(records, polygon, corner - 1u),
+                                                              LOAD_POLYGON_CORNER(records, polygon, corner), p.cull);
+                if (!t.drawn) {
+                    continue;
+                }
+                const uint seen = triangle | ((t.flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
+                for (int row = first_row; row <= last_row; ++row) {
+                    const int in_pixel = column_in_pixel(p, row);
+                    const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
+                    const int last_x = (last_column - in_pixel) >> p.axis_log2;
+                    const int sy = origin_y + (row << unit_log2);
+                    for (int x = first_x; x <= last_x; ++x) {
+                        const int sx = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2);
+                        if (covers(t, sx, sy)) {
+                            const float z = depth_at(t, sx, sy);
+                            const uint place = sample_index(p, part.tile, x, row);
+                            if (z >= 0.0f && z < bits_float(depths[place])) {
+                                depths[place] = float_bits(z);
+                                visible[place] = seen;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+KERNELS_END

@@ -1,0 +1,131 @@
+#include "raster/portable_rasteriser.hpp"
+
+#include "base/error.hpp"
+#include "raster/raster_pipeline.hpp"
+#include "raster/srgb_tables.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace tessera::raster {
+namespace {
+
+constexpr std::uint32_t largest_side = 8192;
+
+void check(const render::Frame& frame) {
+    if (frame.width == 0 || frame.height == 0 || frame.width > largest_side || frame.height > largest_side) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("A picture of {} x {} pixels cannot be drawn: sides must be in [1, {}].", frame.width,
+                                frame.height, largest_side));
+    }
+    if (frame.samples != 1 && frame.samples != 4) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("A picture of {} samples per pixel cannot be drawn; choose 1 or 4.", frame.samples));
+    }
+}
+
+/// Multiplied by alpha, as samples hold it.
+std::uint32_t packed(const glm::vec4& colour) {
+    const double alpha = std::clamp(static_cast<double>(colour.a), 0.0, 1.0);
+    const auto code = [&](float channel) { return encode_srgb(static_cast<double>(channel) * alpha); };
+    return code(colour.r) | code(colour.g) << 8u | code(colour.b) << 16u |
+           static_cast<std::uint32_t>(std::lround(alpha * 255.0)) << 24u;
+}
+
+class PortableRasteriser final : public render::Rasteriser {
+public:
+    explicit PortableRasteriser(const gpu::Device& device) : device_(device), pipeline_(device), textures_(device) {}
+
+    void begin(const render::Frame& frame) override {
+        check(frame);
+        const std::uint32_t samples = frame.samples;
+        if (frame.width != width_ || frame.height != height_ || samples != samples_) {
+            windows_.clear();  // before the new ones take their memory
+            width_ = 0;
+            windows_ = make_windows(device_, frame.width, frame.height, samples, choose_launch(device_.info()).window);
+            width_ = frame.width;
+            height_ = frame.height;
+            samples_ = samples;
+        }
+        pipeline_.begin(windows_, samples, packed(frame.background));
+        frame_ = frame_parameters(frame);
+        materials_.clear();
+        state_ = State::begun;
+    }
+
+    void set_materials(const std::vector<scene::Material>& materials,
+                       const std::vector<scene::SceneImage>& images) override {
+        require(State::begun, "set_materials", "begin");
+        textures_.upload(materials, images);
+        materials_ = materials;
+        state_ = State::drawing;
+    }
+
+    void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
+              std::uint32_t material) override {
+        require(State::drawing, "draw", "set_materials");
+        if (material >= materials_.size()) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("A draw names material {}, but there are {}.", material, materials_.size()));
+        }
+        if (indices.size() % 3 != 0) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("A draw has {} indices, which is no multiple of 3.", indices.size()));
+        }
+        const TexelBuffer& texture = textures_.of(materials_[material]);
+        kernels::DrawParams params = frame_;
+        set_material(params, materials_[material], texture);
+        while (!indices.empty()) {
+            const render::TriangleBatch batch = render::take_batch(indices, vertices.size());
+            pipeline_.draw(batch, vertices, params, texture);
+            indices = indices.subspan(batch.indices.size());
+        }
+    }
+
+    image::Image finish() override {
+        require(State::drawing, "finish", "set_materials");
+        state_ = State::idle;
+        image::Image picture{width_, height_, std::vector<std::uint8_t>(std::size_t{width_} * height_ * 4)};
+        std::vector<std::uint32_t> pixels;
+        for (const RasterWindow& window : windows_) {
+            pixels.resize(std::size_t{window.width} * window.height);
+            pipeline_.resolve(window, textures_.plain(), pixels);
+            for (std::uint32_t row = 0; row < window.height; ++row) {
+                std::memcpy(&picture.rgba[(std::size_t{window.y + row} * width_ + window.x) * 4],
+                            &pixels[std::size_t{row} * window.width], std::size_t{window.width} * 4);
+            }
+        }
+        return picture;
+    }
+
+private:
+    enum class State { idle, begun, drawing };
+
+    void require(State wanted, const char* call, const char* before) const {
+        if (state_ != wanted) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("Rasteriser::{} must follow {}: call begin, set_materials, draw any number of "
+                                    "times, finish.",
+                                    call, before));
+        }
+    }
+
+    gpu::Device device_;
+    RasterPipeline pipeline_;
+    TexelBuffers textures_;
+    std::vector<RasterWindow> windows_;
+    std::uint32_t width_ = 0, height_ = 0, samples_ = 0;
+    kernels::DrawParams frame_{};
+    std::vector<scene::Material> materials_;
+    State state_ = State::idle;
+};
+
+}  // namespace
+
+std::unique_ptr<render::Rasteriser> open_portable(const gpu::Device& device) {
+    return std::make_unique<PortableRasteriser>(device);
+}
+
+}  // namespace tessera::raster
