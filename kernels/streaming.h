@@ -17,6 +17,7 @@ typedef float8 tessera_float8;
 typedef uint16 tessera_uint16;
 #define TESSERA_LOAD16(words) vload16(0, words)
 #define TESSERA_LOAD8(words) vload8(0, words)
+#define TESSERA_STORE8(pointer, value) vstore8(value, 0, pointer)
 #define TESSERA_PREFETCH(pointer)
 #ifdef __has_builtin
 #if __has_builtin(__builtin_prefetch)
@@ -44,7 +45,7 @@ typedef uint16 tessera_uint16;
 #define TESSERA_STREAM_END
 #endif
 #if defined(__clang__) && TESSERA_RUN > 1
-#define TESSERA_FOR_RUN _Pragma("clang loop vectorize(enable) vectorize_width(16)")
+#define TESSERA_FOR_RUN _Pragma("clang loop vectorize(enable) vectorize_width(16) unroll(disable)")
 #else
 #define TESSERA_FOR_RUN
 #endif
@@ -69,6 +70,10 @@ TESSERA_INLINE Vector load_vector(const Word* words) {
     std::memcpy(&v, words, sizeof v);
     return v;
 }
+template <typename Vector>
+TESSERA_INLINE void store_vector(void* to, Vector v) {
+    std::memcpy(to, &v, sizeof v);
+}
 /// `to` lies on 16 bytes.
 template <typename Vector>
 TESSERA_INLINE void stream_vector(void* to, Vector v) {
@@ -90,6 +95,7 @@ TESSERA_INLINE void stream_vector(void* to, Vector v) {
 #define TESSERA_PREFETCH(pointer) __builtin_prefetch(pointer)
 #define TESSERA_LOAD16(words) load_vector<tessera_float16>(words)
 #define TESSERA_LOAD8(words) load_vector<tessera_float8>(words)
+#define TESSERA_STORE8(pointer, value) store_vector<tessera_float8>(pointer, value)
 #define TESSERA_STREAM(type, pointer, value) stream_vector<type>(pointer, value)
 #if defined(__SSE2__)
 #define TESSERA_STREAM_END _mm_sfence()
@@ -118,16 +124,16 @@ TESSERA_INLINE void stream_vector(void* to, Vector v) {
 #define TESSERA_EVEN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27)
 #define TESSERA_ODD(a, b) __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)
 
-/// Two vertices, of which those below `count` are written.
+/// Two vertices, of which those below `count` are written: a whole cache line streams, half of one stays in the cache until
+/// the neighbouring patch has written the other.
 TESSERA_INLINE void tessera_stream_pair(TESSERA_GLOBAL float* buffer, uint start, uint i, uint count,
                                         tessera_float16 pair) {
-    TESSERA_GLOBAL float* at = buffer + 8u * (start + i);
     if (i < count && i + 1u < count) {
-        TESSERA_STREAM(tessera_float16, at, pair);
+        TESSERA_STREAM(tessera_float16, buffer + 8u * (start + i), pair);
     } else if (i < count) {
-        TESSERA_STREAM(tessera_float8, at, __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7));
+        TESSERA_STORE8(buffer + 8u * (start + i), __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7));
     } else if (i + 1u < count) {
-        TESSERA_STREAM(tessera_float8, buffer + 8u * (start + i + 1u),
+        TESSERA_STORE8(buffer + 8u * (start + i + 1u),
                        __builtin_shufflevector(pair, pair, 8, 9, 10, 11, 12, 13, 14, 15));
     }
 }

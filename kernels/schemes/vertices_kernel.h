@@ -37,9 +37,10 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         uint us[RUN];
         uint vs[RUN];
 #if VERTICES_SHARED
+        const uint pattern_at = PATTERN_MARGIN + first;
         FOR_RUN(k) {
-            us[k] = pattern[PATTERN_MARGIN + first + k];
-            vs[k] = pattern[PATTERN_MARGIN + p.pattern + first + k];
+            us[k] = pattern[RUN_AT(pattern_at, k)];
+            vs[k] = pattern[RUN_AT(pattern_at + p.pattern, k)];
         }
 #else
         if (rings) {

@@ -20,7 +20,7 @@ KERNEL5(indices_shared, READ(0, uint, pattern), READ(1, uint, offsets), READ(2, 
     for (uint at = lead + e.first; at + RUN <= words; at = at + e.step) {
         uint run[RUN];
         FOR_RUN(k) {
-            run[k] = base + pattern[at + k];
+            run[k] = base + pattern[RUN_AT(at, k)];
         }
         STREAM_WORDS(index_buffer, start + at, run);
     }

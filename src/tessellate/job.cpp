@@ -130,6 +130,7 @@ struct Job::State {
     std::uint32_t tag_stride = 0;
     std::array<DomainStages, 2> domains;  // triangles, quads
     std::size_t current_chunk = 0;
+    std::optional<std::size_t> uploaded_chunk;  // whose patches and factors the device has
     std::vector<PatchOffset> offsets;
     std::vector<Batch> batches;
     Batch emitted;
@@ -189,8 +190,13 @@ struct Job::State {
         device.queue().write_buffer(control_vertices, 0, std::as_bytes(std::span(patches.control_vertices)));
     }
 
-    // Uploads the corners of a chunk, and its patches by domain.
+    // Uploads the factors and corners of a chunk, and its patches by domain.
     void upload_chunk(const Chunk& chunk) {
+        if (const auto* factors = std::get_if<std::vector<PatchFactors>>(&options.factors)) {
+            counter.upload_factors(device, std::span(*factors).subspan(chunk.first_patch, chunk.patch_count));
+        } else {
+            counter.upload_factors(device, std::span(&std::get<PatchFactors>(options.factors), 1));
+        }
         const std::span corners = std::span(patches.corners).subspan(chunk.first_patch, chunk.patch_count);
         device.queue().write_buffer(patch_corners, 0, std::as_bytes(corners));
         if (corner_tag_buffer) upload_corner_tags(chunk);
@@ -286,12 +292,10 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
     State& s = *state_;
     const Chunk& chunk = s.plan.chunks.at(index);
     s.current_chunk = index;
-    if (const auto* factors = std::get_if<std::vector<PatchFactors>>(&s.options.factors)) {
-        s.counter.upload_factors(s.device, std::span(*factors).subspan(chunk.first_patch, chunk.patch_count));
-    } else {
-        s.counter.upload_factors(s.device, std::span(&std::get<PatchFactors>(s.options.factors), 1));
+    if (s.uploaded_chunk != index) {
+        s.upload_chunk(chunk);
+        s.uploaded_chunk = index;
     }
-    s.upload_chunk(chunk);
     s.parameters.reset();
     gpu::CommandEncoder encoder = s.device.create_command_encoder();
     s.fill(encoder, {s.counter.records(), s.counter.counts(), s.counter.offsets()});
