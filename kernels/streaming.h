@@ -52,9 +52,6 @@ typedef uint16 tessera_uint16;
 
 #else  // C++
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors wider than registers never leave a function that is not inlined
-#endif
 
 #define TESSERA_RUN 16
 #define TESSERA_GLOBAL

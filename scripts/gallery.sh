@@ -46,6 +46,8 @@ panel cracks "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x46
 panel round "$models/RiggedFigure/RiggedFigure.glb" --camera 30,8 --size 310x460 --scheme pn --factor 8 --smooth-normals
 beside figure.png "$panels/split.png" "$panels/cracks.png" "$panels/round.png"
 pair spot.png "$models/spot/spot_control_mesh.obj" 150,10
+pair rook.png "$models/opensubdiv/catmark_rook.obj" 30,15
+pair teapot.png "$models/obj/max6_teapot.obj" 30,20
 pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22
 
 "$tessera" --quiet render assets/figure.glb -o "$panels/compare.png" --compare linear,phong,pn --size 420x460 --factor 8

@@ -108,6 +108,31 @@ TEST(Watertight, ModelsOfOthers) {
     EXPECT_GE(closed, 1u);
 }
 
+// Quads, and n-gons that became quads: every scheme, between random factors.
+TEST(Watertight, ModelsOfQuads) {
+    TESSERA_SHARED_OR_SKIP(shared);
+    std::size_t closed = 0;
+    for (const char* file : {"spot/spot_control_mesh.obj", "spot/spot_quadrangulated.obj", "opensubdiv/catmark_rook.obj",
+                             "opensubdiv/catmark_car.obj", "opensubdiv/catmark_nonquads.obj", "obj/max6_teapot.obj",
+                             "obj/blender_282_suzanne.obj"}) {
+        const patches::PatchSet set = patches::make_patches(
+            scene::load_scene((shared / "models" / file).string(), {.smooth_normals = true}));
+        if (!test::closed_and_smooth(set)) {
+            fmt::print("{} is open: left out\n", file);
+            continue;
+        }
+        ++closed;
+        fmt::print("{}: {} patches{}\n", file, set.patch_count(), set.has_quads ? ", some are quads" : "");
+        for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn, Scheme::stpn}) {
+            TessellationOptions options;
+            options.scheme = scheme;
+            options.factors = random_edge_factors(set, 1.0f, 7.0f, 21);
+            expect_closed(set, options, fmt::format("{} {}", file, name(scheme)));
+        }
+    }
+    EXPECT_GE(closed, 2u);
+}
+
 TEST(Watertight, OwnAssets) {
     std::size_t files = 0;
     for (const auto& entry :
