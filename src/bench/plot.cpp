@@ -10,11 +10,11 @@
 namespace tessera::bench {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
+using Colour = image::Rgba;
 
-constexpr Colour ink{34, 34, 34};
-constexpr Colour ours{31, 78, 121};
-constexpr Colour peers{170, 170, 170};
+constexpr Colour ink{34, 34, 34, 255};
+constexpr Colour ours{31, 78, 121, 255};
+constexpr Colour peers{170, 170, 170, 255};
 constexpr int width = 1000;
 constexpr int left = 330;   // where bars begin
 constexpr int right = 120;  // room for the number behind the longest
@@ -105,11 +105,12 @@ image::Image plot_image(const Report& report) {
     image.height = static_cast<std::uint32_t>(d.height * scale);
     image.rgba.assign(std::size_t{image.width} * image.height * 4, 255);
     for (const Rectangle& r : d.rectangles) {
-        image::fill_rectangle(image, r.x * scale, r.y * scale, r.width * scale, r.height * scale, r.colour);
+        image::fill_rectangle(image, r.x * scale, r.y * scale, (r.x + r.width) * scale, (r.y + r.height) * scale,
+                              r.colour);
     }
     for (const Text& t : d.texts) {
-        const int x = t.x * scale - (t.ends ? image::text_width(t.words, scale) : 0);
-        image::draw_text(image, x, t.y * scale, t.words, ink, scale);
+        const std::int64_t wide = t.ends ? image::text_width(scale, t.words) : 0;
+        image::draw_text(image, t.x * scale - wide, t.y * scale, scale, t.words, ink);
     }
     return image;
 }

@@ -1,21 +1,11 @@
-// Pictures side by side, and words on them.
+// Pictures side by side.
 #pragma once
 
-#include "image/image.hpp"
+#include "image/text.hpp"
 
-#include <array>
+#include <vector>
 
 namespace tessera::image {
-
-using Rgba = std::array<std::uint8_t, 4>;
-
-/// Writes text with its upper left corner at (x, y), in letters of 5 x 7 pixels or so (stb_easy_font) times
-/// `scale`. What lies outside the image is cut off; what is not ASCII becomes a question mark.
-void draw_text(Image& image, std::int64_t x, std::int64_t y, std::uint32_t scale, const std::string& text,
-               const Rgba& colour);
-
-/// How wide draw_text() would make a line.
-std::uint32_t text_width(std::uint32_t scale, const std::string& text);
 
 struct Panel {
     Image picture;

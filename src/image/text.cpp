@@ -1,9 +1,5 @@
 #include "image/text.hpp"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 // Letters as rectangles. Its warnings are not ours to mend.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -11,51 +7,59 @@
 #include <stb/stb_easy_font.h>
 #pragma GCC diagnostic pop
 
+#include <algorithm>
+#include <vector>
+
 namespace tessera::image {
 namespace {
 
-std::string ascii(std::string_view text) {
-    std::string result;
-    std::ranges::copy_if(text, std::back_inserter(result), [](char c) { return c >= 32 && c < 127; });
-    return result;
+/// A corner as stb_easy_font writes it; four make a rectangle.
+struct Corner {
+    float x, y, z;
+    std::uint8_t colour[4];
+};
+static_assert(sizeof(Corner) == 16);
+
+/// The library takes what it does not change as if it did, and has letters from space to tilde.
+std::vector<char> writable(const std::string& text) {
+    std::vector<char> words(text.begin(), text.end());
+    std::replace_if(
+        words.begin(), words.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    words.push_back('\0');
+    return words;
 }
 
 }  // namespace
 
-void fill_rectangle(Image& image, int x, int y, int width, int height, std::array<std::uint8_t, 3> colour) {
-    const int right = std::min(x + width, static_cast<int>(image.width));
-    const int bottom = std::min(y + height, static_cast<int>(image.height));
-    for (int row = std::max(y, 0); row < bottom; ++row) {
-        for (int column = std::max(x, 0); column < right; ++column) {
-            std::uint8_t* pixel = image.rgba.data() +
-                                  (static_cast<std::size_t>(row) * image.width + static_cast<std::size_t>(column)) * 4;
-            std::copy(colour.begin(), colour.end(), pixel);
-            pixel[3] = 255;
-        }
+void fill_rectangle(Image& image, std::int64_t left, std::int64_t top, std::int64_t right, std::int64_t bottom,
+                    const Rgba& colour) {
+    const auto width = std::int64_t{image.width}, height = std::int64_t{image.height};
+    for (std::int64_t y = std::clamp(top, std::int64_t{0}, height); y < std::min(bottom, height); ++y) {
+        for (std::int64_t x = std::clamp(left, std::int64_t{0}, width); x < std::min(right, width); ++x)
+            std::copy(colour.begin(), colour.end(), &image.rgba[static_cast<std::size_t>(y * width + x) * 4]);
     }
 }
 
-void draw_text(Image& image, int x, int y, std::string_view text, std::array<std::uint8_t, 3> colour, int scale) {
-    struct Corner {
-        float x, y, z;
-        std::uint32_t colour;
-    };
-    std::string words = ascii(text);
-    std::vector<Corner> corners(words.size() * 80 + 4);  // a letter has at most 20 rectangles of four corners
-    const int quads = stb_easy_font_print(0.0f, 0.0f, words.data(), nullptr, corners.data(),
-                                          static_cast<int>(corners.size() * sizeof(Corner)));
-    for (int q = 0; q < quads; ++q) {
-        const Corner& first = corners[4 * static_cast<std::size_t>(q)];
-        const Corner& opposite = corners[4 * static_cast<std::size_t>(q) + 2];
-        fill_rectangle(image, x + static_cast<int>(first.x) * scale, y + static_cast<int>(first.y) * scale,
-                       static_cast<int>(opposite.x - first.x) * scale, static_cast<int>(opposite.y - first.y) * scale,
-                       colour);
+void draw_text(Image& image, std::int64_t x, std::int64_t y, std::uint32_t scale, const std::string& text,
+               const Rgba& colour) {
+    // At most 270 bytes a letter, as the library's documentation has it.
+    std::vector<Corner> corners((text.size() + 1) * 24);
+    std::vector<char> words = writable(text);
+    const int rectangles = stb_easy_font_print(0.0f, 0.0f, words.data(), nullptr, corners.data(),
+                                               static_cast<int>(corners.size() * sizeof(Corner)));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rectangles); ++i) {
+        const Corner& first = corners[i * 4];
+        const Corner& last = corners[i * 4 + 2];
+        const auto place = [&](float at, std::int64_t start) {
+            return start + static_cast<std::int64_t>(at) * std::int64_t{scale};
+        };
+        fill_rectangle(image, place(first.x, x), place(first.y, y), place(last.x, x), place(last.y, y), colour);
     }
 }
 
-int text_width(std::string_view text, int scale) {
-    std::string words = ascii(text);
-    return stb_easy_font_width(words.data()) * scale;
+std::uint32_t text_width(std::uint32_t scale, const std::string& text) {
+    std::vector<char> words = writable(text);
+    return static_cast<std::uint32_t>(stb_easy_font_width(words.data())) * scale;
 }
 
 }  // namespace tessera::image

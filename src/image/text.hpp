@@ -1,24 +1,25 @@
-// Plain text in an image.
+// Words and rectangles on an image.
 #pragma once
 
 #include "image/image.hpp"
 
 #include <array>
-#include <string_view>
+#include <string>
 
 namespace tessera::image {
 
-/// Height of a line at scale 1, in pixels.
-inline constexpr std::uint32_t text_height = 12;
+using Rgba = std::array<std::uint8_t, 4>;
 
-/// Fills a rectangle, cut to the image.
-void fill_rectangle(Image& image, int x, int y, int width, int height, std::array<std::uint8_t, 3> colour);
+/// Fills [left, right) x [top, bottom), cut to the image.
+void fill_rectangle(Image& image, std::int64_t left, std::int64_t top, std::int64_t right, std::int64_t bottom,
+                    const Rgba& colour);
 
-/// Writes ASCII text, opaque, with its top left corner at (x, y), `scale` pixels per dot of the letters. What lies
-/// outside the image is cut off; other characters are left out.
-void draw_text(Image& image, int x, int y, std::string_view text, std::array<std::uint8_t, 3> colour, int scale);
+/// Writes text with its upper left corner at (x, y), in letters of 5 x 7 pixels or so (stb_easy_font) times
+/// `scale`. What lies outside the image is cut off; what is not ASCII becomes a question mark.
+void draw_text(Image& image, std::int64_t x, std::int64_t y, std::uint32_t scale, const std::string& text,
+               const Rgba& colour);
 
-/// Width of text in pixels.
-int text_width(std::string_view text, int scale);
+/// How wide draw_text() would make a line.
+std::uint32_t text_width(std::uint32_t scale, const std::string& text);
 
 }  // namespace tessera::image
