@@ -269,11 +269,11 @@ int run(const Context& context, const Words& words) {
             const TessellationOptions options = resolve(job, patches);
             Progress progress("comparing", context.quiet);
             const auto results = verify::compare_jobs(devices, patches, options, progress.callback());
-            report.add_job(fmt::format("{}: {} patches, {}, {} normals, {} tangents, {}, factor {}", input,
-                                       patches.patch_count(), job.scheme, job.normals,
-                                       options.tangents == Tangents::none ? "no" : job.tangents, job.partitioning,
-                                       job.factor),
-                           to_json(input, options, job.factor), results);
+            report.add_job(
+                fmt::format("{}: {} patches, {}, {} normals, {} tangents, {}, factor {}", input, patches.patch_count(),
+                            job.scheme, job.normals, options.tangents == Tangents::none ? "no" : job.tangents,
+                            job.partitioning, job.factor),
+                to_json(input, options, job.factor), results);
         }
         const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
         if (hair.empty()) continue;

@@ -276,10 +276,11 @@ struct Job::State {
         if (tangents) tangents.destroy();
         tangents = storage("tangents", bytes);
         for_used_domains([&](DomainStages& d) {
-            d.tangents = Stage(device,
-                               fmt::format("tangents_{}_{}_{}", degree_names[degree(options.scheme) - 1],
-                                           name(options.tangents), name(d.domain)),
-                               {nets, counter.records(), counter.offsets(), patch_list, vertices, tangents}, parameters);
+            d.tangents =
+                Stage(device,
+                      fmt::format("tangents_{}_{}_{}", degree_names[degree(options.scheme) - 1], name(options.tangents),
+                                  name(d.domain)),
+                      {nets, counter.records(), counter.offsets(), patch_list, vertices, tangents}, parameters);
         });
     }
 };
@@ -379,8 +380,15 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
         for (const DomainStages& d : s.domains) {
             const auto [first, count] = d.entries(batch.first_patch, batch.patch_count);
             if (count == 0) continue;
-            const kernels::EmitParams params{
-                first, count, lanes, batch.first_vertex, batch.first_index, vertex_base, s.stride(), d.pattern.stride, s.uvs_of(d.domain)};
+            const kernels::EmitParams params{first,
+                                             count,
+                                             lanes,
+                                             batch.first_vertex,
+                                             batch.first_index,
+                                             vertex_base,
+                                             s.stride(),
+                                             d.pattern.stride,
+                                             s.uvs_of(d.domain)};
             (d.*stage).record(pass, s.parameters.push(params), std::uint64_t{count} << lanes);
         }
         pass.end();

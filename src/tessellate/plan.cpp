@@ -60,8 +60,8 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
     // A patch has about as many bytes of vertices as of indices in the limit, so each buffer gets the same, but never
     // less than the largest patch needs.
     const std::uint64_t output = free_bytes - chunk * per_patch;
-    const std::uint64_t vertex_share = std::clamp(output / (vertex_buffers + 1), patch_vertex_bytes,
-                                                  (output - patch_index_bytes) / vertex_buffers);
+    const std::uint64_t vertex_share =
+        std::clamp(output / (vertex_buffers + 1), patch_vertex_bytes, (output - patch_index_bytes) / vertex_buffers);
     plan.vertex_buffer_bytes = std::min(binding, vertex_share) / sizeof(Vertex) * sizeof(Vertex);
     plan.index_buffer_bytes = std::min(binding, output - vertex_buffers * plan.vertex_buffer_bytes) / 12 * 12;
     return plan;
