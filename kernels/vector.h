@@ -56,14 +56,15 @@ FUNCTION uint largest_magnitude(Vector v) {
     const uint x = float_bits(v.x) & 0x7fffffffu;
     const uint y = float_bits(v.y) & 0x7fffffffu;
     const uint z = float_bits(v.z) & 0x7fffffffu;
-    return x > y ? (x > z ? x : z) : (y > z ? y : z);
+    const uint larger = x > y ? x : y;
+    return larger > z ? larger : z;
 }
 
 /// The power of two that brings a magnitude, given by its bits, into [1, 2); 0 for one under 2^-120.
 FUNCTION float scale_of_magnitude(uint magnitude) {
     const uint exponent = magnitude >> 23u;
     const bool is_zero = exponent < 7u;
-    const uint safe = is_zero || exponent > 253u ? 127u : exponent;
+    const uint safe = exponent - 7u > 246u ? 127u : exponent;  // 7 to 253; without a branch, some drivers' bane
     return is_zero ? 0.0f : bits_float((254u - safe) << 23u);
 }
 

@@ -31,8 +31,9 @@ FUNCTION Vector flush_frame_vector(Vector v) {
     return make_vector(flush_frame(v.x), flush_frame(v.y), flush_frame(v.z));
 }
 
+// No choice in this file is a branch (&& and || are): with those, drivers take seconds to compile it.
 FUNCTION bool is_zero_vector(Vector v) {
-    return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
+    return ((float_bits(v.x) | float_bits(v.y) | float_bits(v.z)) & 0x7fffffffu) == 0u;
 }
 
 FUNCTION Vector choose_vector(bool first, Vector a, Vector b) {
@@ -44,9 +45,11 @@ FUNCTION Vector farthest_axis(Vector v) {
     const uint x = float_bits(v.x) & 0x7fffffffu;
     const uint y = float_bits(v.y) & 0x7fffffffu;
     const uint z = float_bits(v.z) & 0x7fffffffu;
-    const bool is_x = x <= y && x <= z;
-    const bool is_y = !is_x && y <= z;
-    return make_vector(is_x ? 1.0f : 0.0f, is_y ? 1.0f : 0.0f, is_x || is_y ? 0.0f : 1.0f);
+    const uint smaller = x < y ? x : y;
+    const uint least = smaller < z ? smaller : z;
+    const float by_x = x == least ? 1.0f : 0.0f;
+    const float by_y = y == least ? 1.0f - by_x : 0.0f;
+    return make_vector(by_x, by_y, (1.0f - by_x) - by_y);
 }
 
 /// The frame along `along_u` and `along_v`, of any lengths, at a vertex with the unit normal `normal`. In the place of
@@ -84,11 +87,17 @@ FUNCTION float texture_step(float a, float b) {
 }
 
 FUNCTION TextureSlope make_texture_slope(float by_u, float by_v) {
-    const Vector slope = flush_frame_vector(normalise_exponent(make_vector(by_u, by_v, 0.0f)));
+    const uint u = float_bits(by_u) & 0x7fffffffu;
+    const uint v = float_bits(by_v) & 0x7fffffffu;
+    const float to_one = scale_of_magnitude(u > v ? u : v);
     TextureSlope s;
-    s.by_u = slope.x;
-    s.by_v = slope.y;
+    s.by_u = flush_frame(by_u * to_one);
+    s.by_v = flush_frame(by_v * to_one);
     return s;
+}
+
+FUNCTION float magnitude(float x) {
+    return bits_float(float_bits(x) & 0x7fffffffu);
 }
 
 /// The frame of normal maps: along growing texture coordinate s with t constant, and the reverse. Where the texture
@@ -103,13 +112,14 @@ FUNCTION TangentFrame make_texture_frame(Vector by_u, Vector by_v, TextureSlope 
     const float p = s.by_u * t.by_v;
     const float q = s.by_v * t.by_u;
     const float determinant = p - q;
-    const float noise = ((p < 0.0f ? -p : p) + (q < 0.0f ? -q : q)) * 0.00000095367431640625f;  // 2^-20
-    const bool is_line = (determinant < 0.0f ? -determinant : determinant) <= noise;
-    const float sign = determinant < 0.0f && !is_line ? -1.0f : 1.0f;
+    const float noise = (magnitude(p) + magnitude(q)) * 0.00000095367431640625f;  // 2^-20
+    const bool is_line = magnitude(determinant) <= noise;
+    const float sign = is_line ? 1.0f : (determinant < 0.0f ? -1.0f : 1.0f);
     const Vector along_s = scale(subtract(scale(u, t.by_v), scale(v, t.by_u)), sign);
     const Vector along_t = scale(subtract(scale(v, s.by_u), scale(u, s.by_v)), sign);
-    const bool none =
-        is_line || is_zero_vector(u) || is_zero_vector(v) || is_zero_vector(along_s) || is_zero_vector(along_t);
+    const uint vanishing = (is_line ? 1u : 0u) | (is_zero_vector(u) ? 1u : 0u) | (is_zero_vector(v) ? 1u : 0u) |
+                           (is_zero_vector(along_s) ? 1u : 0u) | (is_zero_vector(along_t) ? 1u : 0u);
+    const bool none = vanishing != 0u;
     return make_mirrored_frame(choose_vector(none, by_u, along_s), choose_vector(none, by_v, along_t),
                                none ? sign : 1.0f, normal);
 }
