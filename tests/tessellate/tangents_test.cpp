@@ -274,9 +274,11 @@ TEST(Tangents, OfDegenerateTextureCoordinatesAreTheSurface) {
     const Uvs one_place{dvec2{0.3, 0.4}, dvec2{0.3, 0.4}, dvec2{0.3, 0.4}, dvec2{0.3, 0.4}};
     const Uvs one_line{dvec2{0.1, 0.1}, dvec2{0.3, 0.3}, dvec2{0.7, 0.7}, dvec2{0.2, 0.2}};
     const Uvs no_t{dvec2{0.1, 0.5}, dvec2{0.3, 0.5}, dvec2{0.7, 0.5}, dvec2{0.2, 0.5}};
+    // On a line too, but for the rounding of floats.
+    const Uvs rounded{dvec2{0.1, 0.3}, dvec2{0.23, 0.69}, dvec2{0.7, 2.1}, dvec2{0.41, 1.23}};
     for_every_patch([&](bool quad, Scheme scheme) {
         const RefinedMesh expected = refine(one_patch(quad), options_for(scheme, Tangents::surface));
-        for (const Uvs& uvs : {one_place, one_line, no_t}) {
+        for (const Uvs& uvs : {one_place, one_line, no_t, rounded}) {
             const RefinedMesh found = refine(one_patch(quad, uvs), options_for(scheme, Tangents::uv));
             ASSERT_EQ(found.tangents.size(), expected.tangents.size());
             EXPECT_EQ(
