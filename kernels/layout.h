@@ -8,6 +8,10 @@
 // A control vertex and an output vertex alike: position x y z, normal x y z, texture coordinates u v.
 #define VERTEX_FLOATS 8u
 
+// A vertex's tangent frame, in a buffer of its own: tangent x y z, handedness, bitangent x y z, and a zero: as long as
+// a vertex, so that the same code streams both.
+#define TANGENT_FLOATS VERTEX_FLOATS
+
 // What shapes the surface at a control vertex, read by the schemes phong and stpn only: sharpness, bias, tension,
 // alpha, the direction of a crease that runs through it, the normal of a crease's smooth share (schemes/tags.h).
 #define VERTEX_TAG_FLOATS 10u
@@ -129,6 +133,7 @@ STRUCT(EmitParams) {
     uint vertex_base;   // added to every index value
     uint net_stride;    // floats
     uint pattern;       // where every patch has the same points: words from the pattern's u to its v, else 0
+    uint uvs;           // tangents only: floats from a net's beginning to its texture coordinates
 };
 
 STRUCT(GuideCurvesParams) {

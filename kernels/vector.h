@@ -51,19 +51,28 @@ FUNCTION Vector flush_vector(Vector v) {
     return make_vector(flush_tiny(v.x), flush_tiny(v.y), flush_tiny(v.z));
 }
 
+/// The bits of the largest component's magnitude.
+FUNCTION uint largest_magnitude(Vector v) {
+    const uint x = float_bits(v.x) & 0x7fffffffu;
+    const uint y = float_bits(v.y) & 0x7fffffffu;
+    const uint z = float_bits(v.z) & 0x7fffffffu;
+    const uint larger = x > y ? x : y;
+    return larger > z ? larger : z;
+}
+
+/// The power of two that brings a magnitude, given by its bits, into [1, 2); 0 for one under 2^-120.
+FUNCTION float scale_of_magnitude(uint magnitude) {
+    const uint exponent = magnitude >> 23u;
+    const bool is_zero = exponent < 7u;
+    const uint safe = exponent - 7u > 246u ? 127u : exponent;  // 7 to 253; without a branch, some drivers' bane
+    return is_zero ? 0.0f : bits_float((254u - safe) << 23u);
+}
+
 /// v times the power of two that brings its largest component into [1, 2); components that are then under 2^-60
 /// become 0. Zero (components under 2^-120) stays zero. Exact but for that flush, so that -v gives exactly the negated
 /// result.
 FUNCTION Vector normalise_exponent(Vector v) {
-    const uint x = float_bits(v.x) & 0x7fffffffu;
-    const uint y = float_bits(v.y) & 0x7fffffffu;
-    const uint z = float_bits(v.z) & 0x7fffffffu;
-    const uint largest = x > y ? (x > z ? x : z) : (y > z ? y : z);
-    const uint exponent = largest >> 23u;
-    const bool is_zero = exponent < 7u;
-    const uint safe = is_zero || exponent > 253u ? 127u : exponent;
-    const float s = is_zero ? 0.0f : bits_float((254u - safe) << 23u);
-    return flush_vector(scale(v, s));
+    return flush_vector(scale(v, scale_of_magnitude(largest_magnitude(v))));
 }
 
 /// v / |v|; `fallback` where v is zero.

@@ -14,6 +14,13 @@ STRUCT(SurfaceVertex) {
     float t;
 };
 
+/// A place on a surface and the surface's derivatives there.
+STRUCT(SurfacePoint) {
+    Vector position;
+    Vector by_u;
+    Vector by_v;
+};
+
 /// A blend of unit normals, of length 4 at most, made unit length. Opposite normals may cancel; what is then returned
 /// is the same from every patch.
 FUNCTION Vector blended_normal(Vector blend) {

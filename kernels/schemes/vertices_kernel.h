@@ -70,15 +70,6 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
 KERNELS_END
 
 #undef VERTICES_KERNEL
-#undef VERTICES_DEGREE
-#undef VERTICES_NORMALS
 #undef VERTICES_SHARED
-#undef SURFACE
-#undef SURFACE_VERTEX
-#undef LOAD_SURFACE
-#undef LOAD_MIXED_POINTS
-#undef LOAD_MIXED_NORMALS
-#undef NET_NORMAL_POINTS
-#undef NET_NORMALS_AT
-#undef NET_UVS_AT
+#include "schemes/end_surface.h"
 #include "tessellator/end_domain.h"

@@ -36,6 +36,7 @@ void report(const Context& context, const Words& words, const gpu::DeviceInfo& d
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<StageId>(i);
+        if (stage == StageId::tangents && !totals.has_tangents) continue;
         const double milliseconds = times.seconds[i] * 1e3;
         say(context, times.measured ? fmt::format("  {:<14}{:>10.3f} ms", name(stage), milliseconds)
                                     : fmt::format("  {:<14}  not timed: the device has no timestamps", name(stage)));
@@ -49,6 +50,7 @@ void report(const Context& context, const Words& words, const gpu::DeviceInfo& d
                                               {"device_name", device.name},
                                               {"scheme", words.job.scheme},
                                               {"normals", words.job.normals},
+                                              {"tangents", words.job.tangents},
                                               {"partitioning", words.job.partitioning},
                                               {"factor", words.job.factor},
                                               {"control_vertices", patches.control_vertices.size()},
@@ -109,6 +111,7 @@ void add_tessellate_command(CLI::App& app, Context& context) {
     command->add_flag("--json", words->json, "Print counts and times as JSON on stdout");
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
+    add_tangents_option(*command, words->job);
     add_hair_options(*command, words->hair, "flat");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }

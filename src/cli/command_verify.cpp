@@ -123,6 +123,7 @@ Json to_json(const std::string& input, const TessellationOptions& options, const
     return {{"input", input},
             {"scheme", name(options.scheme)},
             {"normals", name(options.normals)},
+            {"tangents", name(options.tangents)},
             {"partitioning", name(options.partitioning)},
             {"factor", factor}};
 }
@@ -155,7 +156,10 @@ void print_markdown(const std::vector<DeviceComparison>& sums, std::size_t jobs)
     for (std::size_t s = 0; s < stage_count; ++s) {
         fmt::print(" {} |", name(static_cast<StageId>(s)));
     }
-    fmt::print("\n|---|---|---|---|---|---|---|\n");
+    fmt::print("\n|---|");
+    for (std::size_t s = 0; s < stage_count; ++s)
+        fmt::print("---|");
+    fmt::print("\n");
     for (std::size_t d = 1; d < sums.size(); ++d) {
         const gpu::DeviceInfo& info = sums[d].device;
         fmt::print("| {} ({}, {}) |", info.backend, info.name, info.driver);
@@ -168,7 +172,8 @@ void print_markdown(const std::vector<DeviceComparison>& sums, std::size_t jobs)
                sums.front().device.id);
 }
 
-// What to compare: the options given, or with --all every scheme, kind of normals and partitioning.
+// What to compare: the options given, or with --all every scheme, kind of normals and partitioning; tangents, where no
+// kind of them is asked for, of both kinds once per scheme.
 std::vector<JobWords> variants(const Words& words) {
     if (!words.all) {
         return {words.job};
@@ -185,6 +190,10 @@ std::vector<JobWords> variants(const Words& words) {
                 job.scheme = scheme;
                 job.normals = normals;
                 job.partitioning = partitioning;
+                const bool once = words.oracle.empty() && words.job.tangents == "none" &&
+                                  std::string_view(partitioning) == "fractional_odd";
+                if (once && std::string_view(normals) == "linear") job.tangents = "surface";
+                if (once && std::string_view(normals) == "quadratic") job.tangents = "uv";
                 list.push_back(job);
             }
         }
@@ -260,9 +269,11 @@ int run(const Context& context, const Words& words) {
             const TessellationOptions options = resolve(job, patches);
             Progress progress("comparing", context.quiet);
             const auto results = verify::compare_jobs(devices, patches, options, progress.callback());
-            report.add_job(fmt::format("{}: {} patches, {}, {} normals, {}, factor {}", input, patches.patch_count(),
-                                       job.scheme, job.normals, job.partitioning, job.factor),
-                           to_json(input, options, job.factor), results);
+            report.add_job(
+                fmt::format("{}: {} patches, {}, {} normals, {} tangents, {}, factor {}", input, patches.patch_count(),
+                            job.scheme, job.normals, options.tangents == Tangents::none ? "no" : job.tangents,
+                            job.partitioning, job.factor),
+                to_json(input, options, job.factor), results);
         }
         const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
         if (hair.empty()) continue;
@@ -306,6 +317,7 @@ void add_verify_command(CLI::App& app, Context& context) {
         ->excludes(required, markdown);
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
+    add_tangents_option(*command, words->job)->excludes("--oracle");
     add_hair_options(*command, words->hair, "both, one after the other");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }

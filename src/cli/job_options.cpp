@@ -109,10 +109,19 @@ void add_job_options(CLI::App& command, JobWords& words) {
         ->transform(CLI::AsSizeValue(false));
 }
 
+CLI::Option* add_tangents_option(CLI::App& command, JobWords& words) {
+    return command
+        .add_option("--tangents", words.tangents,
+                    "Tangent frames of the vertices: none, surface (along its derivatives) or uv (along the texture "
+                    "coordinates, for normal maps)")
+        ->capture_default_str();
+}
+
 TessellationOptions resolve(const JobWords& words, const patches::PatchSet& patches) {
     TessellationOptions options;
     options.scheme = scheme_from_name(words.scheme);
     options.normals = normals_from_name(words.normals);
+    options.tangents = tangents_from_name(words.tangents);
     options.partitioning = partitioning_from_name(words.partitioning);
     options.alpha = words.alpha;
     options.memory_budget = words.memory_budget;

@@ -13,6 +13,7 @@ namespace tessera::cli {
 struct JobWords {
     std::string scheme = "pn";
     std::string normals = "quadratic";
+    std::string tangents = "none";
     std::string partitioning = "fractional_odd";
     std::string factor = "4";
     float alpha = 0.75f;
@@ -20,6 +21,8 @@ struct JobWords {
 };
 
 void add_job_options(CLI::App& command, JobWords& words);
+/// For the commands that do something with tangents.
+CLI::Option* add_tangents_option(CLI::App& command, JobWords& words);
 
 /// Options for a job over `patches`. Throws Error(usage) for words that make no sense.
 TessellationOptions resolve(const JobWords& words, const patches::PatchSet& patches);

@@ -41,6 +41,7 @@ void BatchCheck::accept(const MeshBatch& batch) {
             "a batch exceeds the totals: {} vertices at {} of {}, {} indices at {} of {}", batch.vertices.size(),
             vertices_, totals_.vertex_count, batch.indices.size(), indices_, totals_.index_count));
     }
+    require_equal("tangents of a batch", totals_.has_tangents ? batch.vertices.size() : 0, batch.tangents.size());
     check_indices(batch);
     check_quads(batch);
     check_finite(batch);
@@ -101,6 +102,18 @@ void BatchCheck::check_finite(const MeshBatch& batch) const {
                             "{}), uv ({}, {}); the model's coordinates are too large.",
                             file_, batch.first_vertex + i, v.position[0], v.position[1], v.position[2], v.normal[0],
                             v.normal[1], v.normal[2], v.uv[0], v.uv[1]));
+        }
+    }
+    for (std::size_t i = 0; i < batch.tangents.size(); ++i) {
+        const Tangent& t = batch.tangents[i];
+        const float sum = 0.0f * t.tangent[0] + 0.0f * t.tangent[1] + 0.0f * t.tangent[2] + 0.0f * t.bitangent[0] +
+                          0.0f * t.bitangent[1] + 0.0f * t.bitangent[2];
+        if (std::isnan(sum) || std::abs(t.handedness) != 1.0f) {
+            throw Error(ErrorKind::output,
+                        fmt::format("Cannot write '{}': the tangent of vertex {} is ({}, {}, {}), its handedness {}, "
+                                    "its bitangent ({}, {}, {}); they must be finite, and the handedness 1 or -1.",
+                                    file_, batch.first_vertex + i, t.tangent[0], t.tangent[1], t.tangent[2],
+                                    t.handedness, t.bitangent[0], t.bitangent[1], t.bitangent[2]));
         }
     }
 }

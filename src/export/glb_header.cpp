@@ -1,6 +1,7 @@
 #include "export/glb_header.hpp"
 
 #include "base/error.hpp"
+#include "export/gltf_tangent.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 constexpr int component_float = 5126, component_uint = 5125;
-constexpr std::size_t vertex_view = 0, index_view = 1, first_image_view = 2;
+constexpr std::size_t vertex_view = 0, index_view = 1, next_view = 2;  // of tangents where there are any, of images
 constexpr std::size_t no_accessor = static_cast<std::size_t>(-1);
 
 /// As a decimal number: sign, point, 17 digits and an exponent of two, which no float exceeds.
@@ -46,7 +47,8 @@ Json vertex_accessor(const MeshPart& part, std::size_t member_offset, const char
 
 GlbHeader::GlbHeader(const std::string& file, const std::string& name, const MeshTotals& totals,
                      const scene::Scene& scene)
-    : indices_at_(totals.vertex_count * sizeof(Vertex)),
+    : tangents_at_(totals.vertex_count * sizeof(Vertex)),
+      indices_at_(tangents_at_ + (totals.has_tangents ? totals.vertex_count * sizeof(GltfTangent) : 0)),
       binary_bytes_(indices_at_ + totals.index_count * sizeof(std::uint32_t)),
       position_accessors_(totals.parts.size(), no_accessor) {
     json_["asset"] = {{"version", "2.0"}, {"generator", fmt::format("Tessera {}", TESSERA_VERSION)}};
@@ -58,6 +60,7 @@ GlbHeader::GlbHeader(const std::string& file, const std::string& name, const Mes
         return;
     }
     has_quads_ = totals.has_quads;
+    has_tangents_ = totals.has_tangents;
     if (has_quads_) json_["extensionsUsed"] = {"FB_ngon_encoding"};
     place_images(file, used, scene);
     add_buffer_views(totals, scene);
@@ -103,11 +106,19 @@ void GlbHeader::place_images(const std::string& file, const std::set<std::uint32
 void GlbHeader::add_buffer_views(const MeshTotals& totals, const scene::Scene& scene) {
     append("buffers", {{"byteLength", binary_bytes_}});
     append("bufferViews",
-           {{"buffer", 0}, {"byteLength", indices_at_}, {"byteStride", sizeof(Vertex)}, {"target", array_buffer}});
+           {{"buffer", 0}, {"byteLength", tangents_at_}, {"byteStride", sizeof(Vertex)}, {"target", array_buffer}});
     append("bufferViews", {{"buffer", 0},
                            {"byteOffset", indices_at_},
                            {"byteLength", totals.index_count * sizeof(std::uint32_t)},
                            {"target", element_array_buffer}});
+    if (has_tangents_) {
+        append("bufferViews", {{"buffer", 0},
+                               {"byteOffset", tangents_at_},
+                               {"byteLength", indices_at_ - tangents_at_},
+                               {"byteStride", sizeof(GltfTangent)},
+                               {"target", array_buffer}});
+    }
+    const std::size_t first_image_view = has_tangents_ ? next_view + 1 : next_view;
     for (std::size_t i = 0; i < images_.size(); ++i) {
         const scene::SceneImage& image = scene.images[images_[i].image];
         append("bufferViews", {{"buffer", 0}, {"byteOffset", images_[i].offset}, {"byteLength", image.encoded.size()}});
@@ -138,10 +149,16 @@ Json GlbHeader::material(const scene::Material& material) const {
 }
 
 Json GlbHeader::primitive(const MeshPart& part, std::size_t material) {
-    const Json attributes = {
-        {"POSITION", append("accessors", vertex_accessor(part, offsetof(Vertex, position), "VEC3"))},
-        {"NORMAL", append("accessors", vertex_accessor(part, offsetof(Vertex, normal), "VEC3"))},
-        {"TEXCOORD_0", append("accessors", vertex_accessor(part, offsetof(Vertex, uv), "VEC2"))}};
+    Json attributes = {{"POSITION", append("accessors", vertex_accessor(part, offsetof(Vertex, position), "VEC3"))},
+                       {"NORMAL", append("accessors", vertex_accessor(part, offsetof(Vertex, normal), "VEC3"))},
+                       {"TEXCOORD_0", append("accessors", vertex_accessor(part, offsetof(Vertex, uv), "VEC2"))}};
+    if (has_tangents_) {
+        attributes["TANGENT"] = append("accessors", {{"bufferView", next_view},
+                                                     {"byteOffset", part.first_vertex * sizeof(GltfTangent)},
+                                                     {"componentType", component_float},
+                                                     {"count", part.vertex_count},
+                                                     {"type", "VEC4"}});
+    }
     const std::size_t indices = append("accessors", {{"bufferView", index_view},
                                                      {"byteOffset", part.first_index * sizeof(std::uint32_t)},
                                                      {"componentType", component_uint},

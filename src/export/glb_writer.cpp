@@ -4,6 +4,7 @@
 #include "base/output_file.hpp"
 #include "export/batch_check.hpp"
 #include "export/glb_header.hpp"
+#include "export/gltf_tangent.hpp"
 #include "export/writers.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "vertices and indices 
 
 constexpr std::uint32_t glb_magic = 0x46546C67, glb_version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr std::uint64_t file_header_bytes = 12, chunk_header_bytes = 8;
-constexpr std::size_t indices_per_piece = 1 << 16;
+constexpr std::size_t indices_per_piece = 1 << 16, tangents_per_piece = 1 << 14;
 
 struct Bounds {
     std::array<float, 3> min;
@@ -54,6 +55,7 @@ public:
         check_.accept(batch);
         if (header_.binary_bytes() == 0) return;  // vertices without any triangle: an empty scene
         file_.write_at(binary_at_ + batch.first_vertex * sizeof(Vertex), std::as_bytes(batch.vertices));
+        write_tangents(batch);
         for_each_part(check_.totals(), &MeshPart::first_vertex, &MeshPart::vertex_count, batch.first_vertex,
                       batch.vertices.size(), [&](std::size_t part, std::uint64_t first, std::uint64_t count) {
                           extend(bounds_[part], batch.vertices.subspan(first - batch.first_vertex, count));
@@ -99,6 +101,16 @@ private:
         }
     }
 
+    void write_tangents(const MeshBatch& batch) {
+        for (std::size_t first = 0; first < batch.tangents.size(); first += tangents_.size()) {
+            tangents_.resize(std::min(tangents_per_piece, batch.tangents.size() - first));
+            for (std::size_t i = 0; i < tangents_.size(); ++i)
+                tangents_[i] = gltf_tangent(batch.vertices[first + i], batch.tangents[first + i]);
+            file_.write_at(binary_at_ + header_.tangents_at() + (batch.first_vertex + first) * sizeof(GltfTangent),
+                           std::as_bytes(std::span(tangents_)));
+        }
+    }
+
     void write_indices(std::size_t part, std::uint64_t at, std::span<const std::uint32_t> indices) {
         const auto base = static_cast<std::uint32_t>(check_.totals().parts[part].first_vertex);
         while (!indices.empty()) {
@@ -124,6 +136,7 @@ private:
     std::uint64_t file_bytes_;
     OutputFile file_;
     std::vector<std::uint32_t> local_;
+    std::vector<GltfTangent> tangents_;
 };
 
 }  // namespace

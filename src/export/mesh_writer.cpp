@@ -50,6 +50,11 @@ std::unique_ptr<MeshWriter> create_mesh_writer(const std::filesystem::path& path
                                                   "triangles, or choose one of those.",
                                                   path.string()));
     }
+    if (extension == ".obj" && totals.has_tangents) {
+        throw Error(ErrorKind::usage, fmt::format("Cannot write '{}': an .obj has no place for tangents; leave them "
+                                                  "out, or write .glb or .ply.",
+                                                  path.string()));
+    }
     check_limits(path, totals, materials);
     if (extension == ".glb") return create_glb_writer(path, totals, materials);
     if (extension == ".obj") return create_obj_writer(path, totals, materials);

@@ -19,10 +19,11 @@ namespace {
 using gpu::BufferUsage;
 
 constexpr auto storage_usage = BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination;
-constexpr std::array<std::string_view, stage_count> stage_names{"factors", "control nets", "counts",
-                                                                "scan",    "vertices",     "indices"};
+constexpr std::array<std::string_view, stage_count> stage_names{"factors",  "control nets", "counts",  "scan",
+                                                                "vertices", "indices",      "tangents"};
 constexpr std::array<std::string_view, 3> degree_names{"linear", "quadratic", "cubic"};
 
+static_assert(sizeof(Tangent) == TANGENT_FLOATS * sizeof(float));
 static_assert(sizeof(patches::VertexTags) == VERTEX_TAG_FLOATS * sizeof(float));
 static_assert(sizeof(patches::CornerTags) == CORNER_TAG_FLOATS * sizeof(float));
 
@@ -101,7 +102,7 @@ std::string_view name(StageId stage) {
 // their list begins in the buffer of lists.
 struct DomainStages {
     Domain domain = Domain::triangle;
-    Stage nets, vertices, indices;
+    Stage nets, vertices, indices, tangents;
     SharedPattern pattern;
     std::vector<std::uint32_t> patches;
     std::uint32_t list_start = 0;
@@ -126,7 +127,7 @@ struct Job::State {
     gpu::Buffer patch_corners, patch_list;
     PatchCounter counter;
     StageClock clock;
-    gpu::Buffer control_vertices, vertex_tag_buffer, corner_tag_buffer, nets, vertices, indices;
+    gpu::Buffer control_vertices, vertex_tag_buffer, corner_tag_buffer, nets, vertices, indices, tangents;
     std::uint32_t tag_stride = 0;
     std::array<DomainStages, 2> domains;  // triangles, quads
     std::size_t current_chunk = 0;
@@ -154,6 +155,14 @@ struct Job::State {
     }
 
     std::uint32_t stride() const { return net_stride(options, patches.has_quads); }
+
+    bool has_tangents() const { return options.tangents != Tangents::none; }
+
+    /// Where the texture coordinates lie in the nets of a domain: last (kernels/layout.h).
+    std::uint32_t uvs_of(Domain domain) const {
+        const bool quad = domain == Domain::quad;
+        return net_stride(options, quad) - 2 * (quad ? 4u : 3u);
+    }
 
     template <typename Body>
     void for_used_domains(Body&& body) {
@@ -254,6 +263,7 @@ struct Job::State {
                                     patch_list, vertices},
                                    parameters);
             });
+            if (has_tangents()) reserve_tangents(vertex_bytes);
         }
         if (index_bytes > (indices ? indices.size() : 0)) {
             if (indices) indices.destroy();
@@ -265,6 +275,19 @@ struct Job::State {
                     parameters);
             });
         }
+    }
+
+    // Beside new vertices, whose normals the stage reads.
+    void reserve_tangents(std::uint64_t bytes) {
+        if (tangents) tangents.destroy();
+        tangents = storage("tangents", bytes);
+        for_used_domains([&](DomainStages& d) {
+            d.tangents =
+                Stage(device,
+                      fmt::format("tangents_{}_{}_{}", degree_names[degree(options.scheme) - 1], name(options.tangents),
+                                  name(d.domain)),
+                      {nets, counter.records(), counter.offsets(), patch_list, vertices, tangents}, parameters);
+        });
     }
 };
 
@@ -353,6 +376,7 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
     s.parameters.reset();
     gpu::CommandEncoder encoder = s.device.create_command_encoder();
     s.fill(encoder, {s.vertices, s.indices});
+    if (s.has_tangents()) s.fill(encoder, {s.tangents});
     s.clock.begin(encoder);
     const auto record = [&](StageId id, const Stage DomainStages::*stage, std::uint64_t elements) {
         const std::uint32_t lanes = lanes_log2(s.device.info(), batch.patch_count, elements);
@@ -360,8 +384,15 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
         for (const DomainStages& d : s.domains) {
             const auto [first, count] = d.entries(batch.first_patch, batch.patch_count);
             if (count == 0) continue;
-            const kernels::EmitParams params{
-                first, count, lanes, batch.first_vertex, batch.first_index, vertex_base, s.stride(), d.pattern.stride};
+            const kernels::EmitParams params{first,
+                                             count,
+                                             lanes,
+                                             batch.first_vertex,
+                                             batch.first_index,
+                                             vertex_base,
+                                             s.stride(),
+                                             d.pattern.stride,
+                                             s.uvs_of(d.domain)};
             (d.*stage).record(pass, s.parameters.push(params), std::uint64_t{count} << lanes);
         }
         pass.end();
@@ -369,6 +400,7 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
     };
     record(StageId::vertices, &DomainStages::vertices, batch.vertex_count);
     record(StageId::indices, &DomainStages::indices, batch.index_count / 3);
+    if (s.has_tangents()) record(StageId::tangents, &DomainStages::tangents, batch.vertex_count);
     s.clock.finish(encoder);
     s.parameters.upload(s.device);
     s.device.queue().submit(encoder.finish());
@@ -389,10 +421,14 @@ std::vector<StageView> Job::prepared_views() const {
 
 std::vector<StageView> Job::emitted_views() const {
     const State& s = *state_;
-    return {
+    std::vector<StageView> views{
         {StageId::vertices, s.vertices, std::uint64_t{s.emitted.vertex_count} * sizeof(Vertex), true},
         {StageId::indices, s.indices, std::uint64_t{s.emitted.index_count} * 4, false},
     };
+    if (s.has_tangents()) {
+        views.push_back({StageId::tangents, s.tangents, std::uint64_t{s.emitted.vertex_count} * sizeof(Tangent), true});
+    }
+    return views;
 }
 
 const StageTimes& Job::times() {
@@ -403,7 +439,7 @@ std::uint64_t Job::device_bytes() const {
     const State& s = *state_;
     std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes();
     for (const gpu::Buffer* buffer : {&s.control_vertices, &s.vertex_tag_buffer, &s.corner_tag_buffer, &s.patch_corners,
-                                      &s.patch_list, &s.nets, &s.vertices, &s.indices}) {
+                                      &s.patch_list, &s.nets, &s.vertices, &s.indices, &s.tangents}) {
         bytes += *buffer ? buffer->size() : 0;
     }
     for (const DomainStages& d : s.domains) {

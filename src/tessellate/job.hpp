@@ -11,9 +11,9 @@
 
 namespace tessera {
 
-/// The stages in the order of their work.
-enum class StageId { factors, control_nets, counts, scan, vertices, indices };
-inline constexpr std::size_t stage_count = 6;
+/// The stages in the order of their work. Only jobs that are asked for tangents have the last.
+enum class StageId { factors, control_nets, counts, scan, vertices, indices, tangents };
+inline constexpr std::size_t stage_count = 7;
 std::string_view name(StageId stage);
 
 /// A stage's output as it lies on the device after prepare() or emit().
@@ -57,7 +57,7 @@ public:
 
     /// What count() and prepare() left on the device: factors, control nets, counts, scan.
     std::vector<StageView> prepared_views() const;
-    /// What the last emit() left: vertices and indices.
+    /// What the last emit() left: vertices, indices and, where the job makes them, tangents.
     std::vector<StageView> emitted_views() const;
     /// Waits, and adds up what has run so far.
     const StageTimes& times();

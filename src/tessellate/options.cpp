@@ -12,6 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 3> domain_names{"triangle", "quad", "isoline"};
 constexpr std::array<std::string_view, 4> scheme_names{"linear", "phong", "pn", "stpn"};
 constexpr std::array<std::string_view, 3> normals_names{"linear", "quadratic", "true"};
+constexpr std::array<std::string_view, 3> tangents_names{"none", "surface", "uv"};
 constexpr std::array<std::string_view, 5> partitioning_names{"integer", "pow2", "fractional_odd", "fractional_even",
                                                              "uniform"};
 constexpr std::array<std::string_view, 2> topology_names{"triangles", "quads"};
@@ -42,6 +43,9 @@ std::string_view name(Scheme scheme) {
 std::string_view name(Normals normals) {
     return normals_names.at(static_cast<std::size_t>(normals));
 }
+std::string_view name(Tangents tangents) {
+    return tangents_names.at(static_cast<std::size_t>(tangents));
+}
 std::string_view name(Partitioning partitioning) {
     return partitioning_names.at(static_cast<std::size_t>(partitioning));
 }
@@ -57,6 +61,9 @@ Scheme scheme_from_name(std::string_view name) {
 }
 Normals normals_from_name(std::string_view name) {
     return static_cast<Normals>(index_of(normals_names, name, "kind of normals"));
+}
+Tangents tangents_from_name(std::string_view name) {
+    return static_cast<Tangents>(index_of(tangents_names, name, "kind of tangents"));
 }
 Partitioning partitioning_from_name(std::string_view name) {
     return static_cast<Partitioning>(index_of(partitioning_names, name, "partitioning"));

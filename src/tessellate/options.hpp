@@ -28,6 +28,13 @@ enum class Normals {
     surface,    ///< "true": the surface's own, across its derivatives; neighbours differ where it has a crease
 };
 
+/// What tangent frames come with the vertices. See Tangent (base/tangent.hpp) and kernels/schemes/tangent_frame.h.
+enum class Tangents {
+    none,
+    surface,  ///< along the surface's derivatives, Dupuy, equations 4 and 5
+    uv,       ///< along its texture coordinates: what normal maps need; where those do not vary, as `surface`
+};
+
 /// How a factor becomes segments. The values are those of the kernels (kernels/layout.h).
 enum class Partitioning : std::uint32_t {
     integer = 0,
@@ -50,6 +57,7 @@ enum class Topology {
 struct TessellationOptions {
     Scheme scheme = Scheme::pn;
     Normals normals = Normals::quadratic;
+    Tangents tangents = Tangents::none;
     Partitioning partitioning = Partitioning::fractional_odd;
     /// One set for every patch, or one per patch. Any float is allowed: factors are clamped to [1, 64] and a patch with
     /// an outer factor that is not positive is culled, as the fixed-function stage does.
@@ -69,11 +77,13 @@ std::uint32_t degree(Scheme scheme);
 std::string_view name(Domain domain);
 std::string_view name(Scheme scheme);
 std::string_view name(Normals normals);
+std::string_view name(Tangents tangents);
 std::string_view name(Partitioning partitioning);
 std::string_view name(Topology topology);
 Domain domain_from_name(std::string_view name);
 Scheme scheme_from_name(std::string_view name);
 Normals normals_from_name(std::string_view name);
+Tangents tangents_from_name(std::string_view name);
 Partitioning partitioning_from_name(std::string_view name);
 Topology topology_from_name(std::string_view name);
 

@@ -52,8 +52,8 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
         const std::uint32_t lanes = lanes_log2(device.info(), count, total.vertex);
         parameters.reset();
         const std::uint32_t emit_points =
-            parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0, total.vertex});
-        const std::uint32_t emit_indices = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0, 0});
+            parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0, total.vertex, 0});
+        const std::uint32_t emit_indices = parameters.push(kernels::EmitParams{0, count, lanes, 0, 0, 0, 0, 0, 0});
         parameters.upload(device);
         encoder = device.create_command_encoder();
         pass = encoder.begin_compute_pass();

@@ -35,7 +35,10 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
     constexpr std::uint64_t small_buffers = 64 << 10;  // kernel parameters, query results
     constexpr std::uint64_t patch_vertex_bytes = largest_patch_vertices * sizeof(Vertex);
     constexpr std::uint64_t patch_index_bytes = largest_patch_indices * 4;
-    const std::uint64_t least = shared_bytes + small_buffers + per_patch + patch_vertex_bytes + patch_index_bytes;
+    // Vertices, and tangents of the same size.
+    const std::uint64_t vertex_buffers = options.tangents == Tangents::none ? 1 : 2;
+    const std::uint64_t least_output = vertex_buffers * patch_vertex_bytes + patch_index_bytes;
+    const std::uint64_t least = shared_bytes + small_buffers + per_patch + least_output;
     if (options.memory_budget < least) {
         throw Error(ErrorKind::usage,
                     fmt::format("The memory budget of {} bytes is too small for this model; it needs at least {}.",
@@ -43,7 +46,6 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
     }
     const std::uint64_t binding = std::min(limits.max_storage_binding_size, limits.max_buffer_size);
     const std::uint64_t free_bytes = options.memory_budget - shared_bytes - small_buffers;
-    const std::uint64_t least_output = patch_vertex_bytes + patch_index_bytes;
     const std::uint64_t by_budget =
         std::max<std::uint64_t>(1, std::min(free_bytes / 3, free_bytes - least_output) / per_patch);
     const std::uint64_t by_binding = binding / net_bytes;
@@ -55,12 +57,13 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
         plan.chunks.push_back({first, static_cast<std::uint32_t>(std::min(chunk, patch_count - first))});
     }
     plan.largest_chunk = static_cast<std::uint32_t>(chunk);
-    // A patch has about as many bytes of vertices as of indices in the limit, so each gets half, but never less than
-    // the largest patch needs.
+    // A patch has about as many bytes of vertices as of indices in the limit, so each buffer gets the same, but never
+    // less than the largest patch needs.
     const std::uint64_t output = free_bytes - chunk * per_patch;
-    const std::uint64_t vertex_share = std::clamp(output / 2, patch_vertex_bytes, output - patch_index_bytes);
+    const std::uint64_t vertex_share =
+        std::clamp(output / (vertex_buffers + 1), patch_vertex_bytes, (output - patch_index_bytes) / vertex_buffers);
     plan.vertex_buffer_bytes = std::min(binding, vertex_share) / sizeof(Vertex) * sizeof(Vertex);
-    plan.index_buffer_bytes = std::min(binding, output - plan.vertex_buffer_bytes) / 12 * 12;
+    plan.index_buffer_bytes = std::min(binding, output - vertex_buffers * plan.vertex_buffer_bytes) / 12 * 12;
     return plan;
 }
 

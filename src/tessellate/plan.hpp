@@ -37,7 +37,7 @@ struct Batch {
 struct JobPlan {
     std::vector<Chunk> chunks;
     std::uint32_t largest_chunk = 0;        ///< patches
-    std::uint64_t vertex_buffer_bytes = 0;  ///< at most, for one batch
+    std::uint64_t vertex_buffer_bytes = 0;  ///< at most, for one batch; where there are tangents, they take as much
     std::uint64_t index_buffer_bytes = 0;   ///< likewise
 };
 

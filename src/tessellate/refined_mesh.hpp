@@ -1,6 +1,7 @@
 // What tessellation gives: interleaved vertices and triangles.
 #pragma once
 
+#include "base/tangent.hpp"
 #include "base/vertex.hpp"
 
 #include <cstdint>
@@ -23,7 +24,8 @@ struct MeshTotals {
     std::uint64_t vertex_count = 0;
     std::uint64_t index_count = 0;
     std::vector<MeshPart> parts;
-    bool has_quads = false;  ///< whether batches mark quads
+    bool has_quads = false;     ///< whether batches mark quads
+    bool has_tangents = false;  ///< whether batches bring tangents
 };
 
 /// A piece of the output. Batches come in order; vertices and indices continue those of the batch before. Indices are
@@ -37,6 +39,8 @@ struct MeshBatch {
     /// Empty, or one element per triangle: 1 where this triangle (a, b, c) and the next, (a, c, d), are the halves of a
     /// quad. Neighbouring faces then begin with different corners.
     std::span<const std::uint8_t> quads{};
+    /// Empty, or one element per vertex.
+    std::span<const Tangent> tangents{};
 };
 
 /// Receives batches; what writers and rasterisers implement.

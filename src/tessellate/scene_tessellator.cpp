@@ -1,10 +1,17 @@
 #include "tessellate/scene_tessellator.hpp"
 
+#include "base/error.hpp"
+
 namespace tessera {
 
 SceneTessellator::SceneTessellator(const gpu::Device& device, const patches::PatchSet& patches,
                                    const TessellationOptions& options, const patches::HairSet& hair,
                                    const HairOptions& hair_options) {
+    if (options.tangents != Tangents::none && !hair.empty()) {
+        throw Error(ErrorKind::usage,
+                    "The model has guide curves, and the ribbons of hair have no tangents; leave the tangents out, or "
+                    "the guides.");
+    }
     TessellationOptions surface_options = options;
     HairOptions ribbon_options = hair_options;
     if (patches.patch_count() > 0 && !hair.empty()) {

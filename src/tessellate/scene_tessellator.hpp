@@ -11,7 +11,7 @@ class SceneTessellator {
 public:
     /// Counts the output. `patches` and `hair` are of one scene; either may be empty, and where neither is, each gets
     /// half of its memory budget. Device, patches and hair must outlive the tessellator. Throws like Tessellator and
-    /// HairTessellator.
+    /// HairTessellator, and Error(usage) where tangents are asked for and there is hair, which has none.
     SceneTessellator(const gpu::Device& device, const patches::PatchSet& patches, const TessellationOptions& options,
                      const patches::HairSet& hair, const HairOptions& hair_options);
 

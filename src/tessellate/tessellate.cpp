@@ -72,6 +72,7 @@ Tessellator::Tessellator(const gpu::Device& device, const patches::PatchSet& pat
     place_parts(totals_);
     marks_quads_ = options.topology == Topology::quads;
     totals_.has_quads = marks_quads_;
+    totals_.has_tangents = options.tangents != Tangents::none;
 }
 
 std::vector<std::uint32_t> Tessellator::read_records() {
@@ -91,6 +92,7 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices, records;
     std::vector<std::uint8_t> quads;
+    std::vector<Tangent> tangents;
     std::uint64_t first_vertex = 0;
     std::uint64_t first_index = 0;
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
@@ -106,13 +108,18 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
             indices.resize(batch.index_count);
             device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
             device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
+            if (totals_.has_tangents) {
+                assert(views[2].stage == StageId::tangents);
+                tangents.resize(batch.vertex_count);
+                device_.queue().read_buffer(views[2].buffer, 0, std::as_writable_bytes(std::span(tangents)));
+            }
             if (space == Space::model) {
                 scale_to_model(vertices, patches_.exponent);
             }
             if (marks_quads_) {
                 mark_batch(batch, job_.offsets(), records, static_cast<std::uint32_t>(first_vertex), indices, quads);
             }
-            sink.append({first_vertex, first_index, vertices, indices, quads});
+            sink.append({first_vertex, first_index, vertices, indices, quads, tangents});
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;
             if (progress) {
@@ -126,6 +133,7 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
 void RefinedMesh::append(const MeshBatch& batch) {
     vertices.insert(vertices.end(), batch.vertices.begin(), batch.vertices.end());
     indices.insert(indices.end(), batch.indices.begin(), batch.indices.end());
+    tangents.insert(tangents.end(), batch.tangents.begin(), batch.tangents.end());
 }
 
 RefinedMesh tessellate(const gpu::Device& device, const patches::PatchSet& patches,
@@ -134,6 +142,7 @@ RefinedMesh tessellate(const gpu::Device& device, const patches::PatchSet& patch
     RefinedMesh mesh;
     mesh.vertices.reserve(tessellator.totals().vertex_count);
     mesh.indices.reserve(tessellator.totals().index_count);
+    mesh.tangents.reserve(tessellator.totals().has_tangents ? tessellator.totals().vertex_count : 0);
     mesh.parts = tessellator.totals().parts;
     tessellator.run(mesh);
     return mesh;

@@ -1,5 +1,5 @@
 // Tessellates patches on a device and hands the result on in batches. The whole pipeline in one call:
-//   1 factors  2 control nets  3 counts  4 scan  5 vertices  6 indices
+//   1 factors  2 control nets  3 counts  4 scan  5 vertices  6 indices  and, where asked for, 7 tangents
 #pragma once
 
 #include "gpu/device.hpp"
@@ -47,6 +47,7 @@ private:
 struct RefinedMesh : MeshSink {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<Tangent> tangents;  ///< one per vertex, or none
     std::vector<MeshPart> parts;
 
     void append(const MeshBatch& batch) override;

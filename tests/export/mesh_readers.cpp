@@ -79,6 +79,18 @@ ReadMesh read_glb(const std::filesystem::path& path) {
         read_attribute(glb, attributes["POSITION"], "VEC3", 3, offsetof(Vertex, position), to);
         read_attribute(glb, attributes["NORMAL"], "VEC3", 3, offsetof(Vertex, normal), to);
         read_attribute(glb, attributes["TEXCOORD_0"], "VEC2", 2, offsetof(Vertex, uv), to);
+        if (attributes.contains("TANGENT")) {
+            const nlohmann::json& accessor = glb.json["accessors"][attributes["TANGENT"].get<std::size_t>()];
+            const nlohmann::json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+            require(accessor["type"] == "VEC4" && accessor["componentType"] == 5126 && accessor["count"] == count &&
+                        view["byteStride"] == 16 && view["target"] == 34962,
+                    "TANGENT");
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::size_t within = accessor.value("byteOffset", 0u) + 16 * i;
+                require(within + 16 <= view["byteLength"], "tangents beyond their view");
+                mesh.tangents.push_back(take<std::array<float, 4>>(glb.binary, view.value("byteOffset", 0u) + within));
+            }
+        }
         ReadPart part;
         part.material = glb.json["materials"][primitive["material"].get<std::size_t>()]["name"];
         const nlohmann::json& accessor = glb.json["accessors"][primitive["indices"].get<std::size_t>()];
@@ -160,17 +172,23 @@ ReadMesh read_ply(const std::filesystem::path& path) {
         if (line.starts_with("element face ")) faces = std::stoul(line.substr(13));
         if (line.starts_with("property ")) properties += line.substr(9) + ";";
     }
-    require(properties ==
-                "float x;float y;float z;float nx;float ny;float nz;float s;float t;"
-                "list uchar uint vertex_indices;",
+    const std::string frame = "float tx;float ty;float tz;float tw;float bx;float by;float bz;";
+    const bool has_tangents = properties.find(frame) != std::string::npos;
+    require(properties == "float x;float y;float z;float nx;float ny;float nz;float s;float t;" +
+                              (has_tangents ? frame : "") + "list uchar uint vertex_indices;",
             properties);
-    require(bytes.size() == data + 32 * vertices + 13 * faces, "PLY size");
+    const std::size_t stride = has_tangents ? 60 : 32;
+    require(bytes.size() == data + stride * vertices + 13 * faces, "PLY size");
     ReadMesh mesh;
     for (std::size_t i = 0; i < vertices; ++i)
-        mesh.vertices.push_back(take<Vertex>(bytes, data + 32 * i));
+        mesh.vertices.push_back(take<Vertex>(bytes, data + stride * i));
+    for (std::size_t i = 0; i < vertices && has_tangents; ++i) {
+        mesh.tangents.push_back(take<std::array<float, 4>>(bytes, data + stride * i + 32));
+        mesh.bitangents.push_back(take<std::array<float, 3>>(bytes, data + stride * i + 48));
+    }
     mesh.parts.resize(1);
     for (std::size_t i = 0; i < faces; ++i) {
-        const std::size_t at = data + 32 * vertices + 13 * i;
+        const std::size_t at = data + stride * vertices + 13 * i;
         require(bytes[at] == 3, "a face is not a triangle");
         for (std::size_t c = 0; c < 3; ++c)
             mesh.parts[0].indices.push_back(take<std::uint32_t>(bytes, at + 1 + 4 * c));

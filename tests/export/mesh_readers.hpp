@@ -18,6 +18,8 @@ struct ReadPart {
 struct ReadMesh {
     std::vector<Vertex> vertices;
     std::vector<ReadPart> parts;
+    std::vector<std::array<float, 4>> tangents;    ///< of .glb and .ply files that have them
+    std::vector<std::array<float, 3>> bitangents;  ///< of .ply files that have them
 };
 
 struct GlbFile {

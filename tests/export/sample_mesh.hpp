@@ -36,6 +36,7 @@ struct SampleMesh {
     MeshTotals totals;
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<Tangent> tangents;  ///< none at first
     scene::Scene scene;
 };
 
@@ -74,10 +75,48 @@ inline SampleMesh sample_mesh(std::uint32_t patches) {
     return mesh;
 }
 
+/// The same with unit normals and with frames that lean by up to 60 degrees, of either handedness.
+inline SampleMesh sample_mesh_with_tangents(std::uint32_t patches) {
+    SampleMesh mesh = sample_mesh(patches);
+    std::mt19937 random(patches);
+    const auto unit = [&](float(&v)[3]) {
+        float length = 0.0f;
+        while (length < 0.1f || length > 1.0f) {
+            for (float& x : v)
+                x = static_cast<float>(random() % 20001) * 1e-4f - 1.0f;
+            length = std::hypot(v[0], v[1], v[2]);
+        }
+        for (float& x : v)
+            x /= length;
+    };
+    for (Vertex& vertex : mesh.vertices) {
+        unit(vertex.normal);
+        const auto along = [&](const float(&v)[3]) {
+            return std::abs(v[0] * vertex.normal[0] + v[1] * vertex.normal[1] + v[2] * vertex.normal[2]);
+        };
+        Tangent frame{};
+        do
+            unit(frame.tangent);
+        while (along(frame.tangent) > 0.86f);
+        do
+            unit(frame.bitangent);
+        while (along(frame.bitangent) > 0.86f);
+        frame.handedness = random() % 2 == 0 ? 1.0f : -1.0f;
+        mesh.tangents.push_back(frame);
+    }
+    mesh.totals.has_tangents = true;
+    return mesh;
+}
+
 /// Appends patches [first, last) as one batch.
 inline void append_patches(exporting::MeshWriter& writer, const SampleMesh& mesh, std::size_t first, std::size_t last) {
-    writer.append({4 * first, 6 * first, std::span(mesh.vertices).subspan(4 * first, 4 * (last - first)),
-                   std::span(mesh.indices).subspan(6 * first, 6 * (last - first))});
+    writer.append({4 * first,
+                   6 * first,
+                   std::span(mesh.vertices).subspan(4 * first, 4 * (last - first)),
+                   std::span(mesh.indices).subspan(6 * first, 6 * (last - first)),
+                   {},
+                   mesh.tangents.empty() ? std::span<const Tangent>()
+                                         : std::span(mesh.tangents).subspan(4 * first, 4 * (last - first))});
 }
 
 /// Writes the whole mesh in batches of `batch` patches.

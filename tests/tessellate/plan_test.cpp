@@ -50,10 +50,14 @@ RC_GTEST_PROP(PlanJob, ChunksCoverEveryPatchWithinTheLimits, ()) {
     gpu::Limits limits;
     limits.max_storage_binding_size = *rc::gen::inRange<std::uint64_t>(1 << 20, 1 << 30);
     const auto has_quads = *rc::gen::arbitrary<bool>();
-    const std::uint64_t least = least_budget(shared, with_budget(0, scheme), has_quads);
+    const auto tangents = *rc::gen::element(Tangents::none, Tangents::surface, Tangents::uv);
+    TessellationOptions any_budget = with_budget(0, scheme);
+    any_budget.tangents = tangents;
+    const std::uint64_t least = least_budget(shared, any_budget, has_quads);
     // Near the least budget the largest patch takes most of it.
     const auto extra = *rc::gen::inRange<std::uint64_t>(0, *rc::gen::element(10'000, 1'000'000, 2'000'000'000));
-    const TessellationOptions options = with_budget(least + extra, scheme);
+    TessellationOptions options = with_budget(least + extra, scheme);
+    options.tangents = tangents;
     const JobPlan plan = plan_job(patch_count, has_quads, shared, options, limits);
     std::uint64_t next = 0;
     for (const Chunk& chunk : plan.chunks) {
@@ -70,7 +74,9 @@ RC_GTEST_PROP(PlanJob, ChunksCoverEveryPatchWithinTheLimits, ()) {
     RC_ASSERT(plan.index_buffer_bytes <= limits.max_storage_binding_size);
     RC_ASSERT(plan.vertex_buffer_bytes >= 4225 * sizeof(Vertex));
     RC_ASSERT(plan.index_buffer_bytes >= 8192u * 12u);
-    RC_ASSERT(shared + plan.largest_chunk * net_bytes + plan.vertex_buffer_bytes + plan.index_buffer_bytes <=
+    const std::uint64_t vertex_buffers = tangents == Tangents::none ? 1 : 2;
+    RC_ASSERT(shared + plan.largest_chunk * net_bytes + vertex_buffers * plan.vertex_buffer_bytes +
+                  plan.index_buffer_bytes <=
               options.memory_budget);
 }
 
