@@ -3,6 +3,25 @@
 #include "base/error.hpp"
 
 namespace tessera {
+namespace {
+
+/// Hair has no quads; where the surface before it marks its own, its batches say so.
+class WithoutQuads final : public MeshSink {
+public:
+    explicit WithoutQuads(MeshSink& sink) : sink_(sink) {}
+    void append(const MeshBatch& batch) override {
+        none_.assign(batch.indices.size() / 3, 0);
+        MeshBatch marked = batch;
+        marked.quads = none_;
+        sink_.append(marked);
+    }
+
+private:
+    MeshSink& sink_;
+    std::vector<std::uint8_t> none_;
+};
+
+}  // namespace
 
 SceneTessellator::SceneTessellator(const gpu::Device& device, const patches::PatchSet& patches,
                                    const TessellationOptions& options, const patches::HairSet& hair,
@@ -50,7 +69,9 @@ void SceneTessellator::run(MeshSink& sink, Space space, const std::function<void
         });
     }
     if (hair_) {
-        hair_->run(sink, first_vertex, totals_.index_count - hair_indices, space, [&](double done) {
+        WithoutQuads marking(sink);
+        MeshSink& target = totals_.has_quads ? marking : sink;
+        hair_->run(target, first_vertex, totals_.index_count - hair_indices, space, [&](double done) {
             if (progress) progress(share + (1.0 - share) * done);
         });
     }

@@ -46,6 +46,20 @@ TEST(HairCommands, TessellateWritesSurfaceAndRibbons) {
     EXPECT_EQ(again.code, 0) << again.errors;
 }
 
+TEST(HairCommands, RibbonsStayTrianglesAmongQuads) {
+    const Folder folder;
+    const Result result =
+        run({"tessellate", furball, "-o", folder.file("out.glb"), "--hairs", "2", "--topology", "quads"});
+    EXPECT_EQ(result.code, 0) << result.errors;
+}
+
+TEST(HairCommands, TangentsAreRefused) {
+    const Folder folder;
+    const Result result = run({"tessellate", furball, "-o", folder.file("out.glb"), "--tangents", "uv"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.errors.find("tangents"), std::string::npos) << result.errors;
+}
+
 TEST(HairCommands, AFileOfGuidesAloneIsFine) {
     const Folder folder;
     const std::string guides = guides_file(folder);
