@@ -25,7 +25,15 @@ double squared_distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, con
 
 struct Triangle {
     glm::dvec3 a, b, c;
+    glm::dvec3 middle;
+    double radius;  // of a ball around `middle` that holds it
 };
+
+Triangle make_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 middle = (a + b + c) / 3.0;
+    const double radius = std::max({glm::length(a - middle), glm::length(b - middle), glm::length(c - middle)});
+    return {a, b, c, middle, radius * 1.000001};
+}
 
 double squared_distance(const glm::dvec3& p, const Triangle& t) {
     const glm::dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
@@ -45,8 +53,9 @@ std::vector<Triangle> triangles_of(const PatchSurface& surface, std::size_t patc
     std::vector<Triangle> triangles;
     const std::span<const std::uint32_t> indices = surface.patch_indices(patch);
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        triangles.push_back({position(surface.vertices[indices[i]]), position(surface.vertices[indices[i + 1]]),
-                             position(surface.vertices[indices[i + 2]])});
+        triangles.push_back(make_triangle(position(surface.vertices[indices[i]]),
+                                          position(surface.vertices[indices[i + 1]]),
+                                          position(surface.vertices[indices[i + 2]])));
     }
     return triangles;
 }
@@ -73,15 +82,17 @@ struct Sum {
     void add(const std::vector<glm::dvec3>& points, const std::vector<Triangle>& triangles) {
         std::size_t near = 0;  // the next point is mostly close to the triangle that was nearest to the last
         for (const glm::dvec3& p : points) {
-            double least = squared_distance(p, triangles[near]);
-            for (std::size_t i = 0; i < triangles.size() && least > 0.0; ++i) {
-                const double d = squared_distance(p, triangles[i]);
-                if (d < least) {
-                    least = d;
+            double distance = std::sqrt(squared_distance(p, triangles[near]));
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                const glm::dvec3 off = p - triangles[i].middle;
+                const double reach = distance + triangles[i].radius;
+                if (glm::dot(off, off) >= reach * reach) continue;
+                const double d = std::sqrt(squared_distance(p, triangles[i]));
+                if (d < distance) {
+                    distance = d;
                     near = i;
                 }
             }
-            const double distance = std::sqrt(least);
             sum += distance;
             max = std::max(max, distance);
         }
@@ -112,7 +123,7 @@ DistanceStatistics over_patches(const PatchSurface& a, const PatchSurface& b, co
 }  // namespace
 
 double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return std::sqrt(squared_distance(p, {a, b, c}));
+    return std::sqrt(squared_distance(p, make_triangle(a, b, c)));
 }
 
 DistanceStatistics distance_of_vertices(const PatchSurface& samples, const PatchSurface& surface) {

@@ -101,6 +101,9 @@ Module parse(std::span<const std::uint32_t> spirv) {
         }
         at += length;
     }
+    if (inside != nullptr) {
+        throw Error(ErrorKind::usage, fmt::format("The SPIR-V module ends inside the function {}.", inside->name));
+    }
     return module;
 }
 

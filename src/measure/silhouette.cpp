@@ -16,13 +16,22 @@ int alpha(const image::Image& picture, std::int64_t x, std::int64_t y) {
 
 }  // namespace
 
-image::Image draw_silhouette(render::Rasteriser& rasteriser, const PatchSurface& surface, const render::Camera& camera,
-                             std::uint32_t size) {
+render::Camera frame_surface(const PatchSurface& surface, float azimuth) {
+    render::View view;
+    view.azimuth = azimuth;
+    render::Framing framing(view, 1.0f);
+    for (const Vertex& v : surface.vertices)
+        framing.add({v.position[0], v.position[1], v.position[2]});
+    return framing.camera();
+}
+
+image::Image draw_surface(render::Rasteriser& rasteriser, const PatchSurface& surface, const render::Camera& camera,
+                          std::uint32_t size, render::Shading shading) {
     render::Frame frame;
     frame.width = size;
     frame.height = size;
     frame.camera = camera;
-    frame.shading = render::Shading::normals;
+    frame.shading = shading;
     frame.background = glm::vec4(0.0f);
     scene::Material both_sides;
     both_sides.double_sided = true;

@@ -8,10 +8,13 @@
 
 namespace tessera::measure {
 
-/// The surface over nothing, both sides of it drawn; the alpha of a pixel is the share of it that is covered.
-/// `size` is the width and height in pixels.
-image::Image draw_silhouette(render::Rasteriser& rasteriser, const PatchSurface& surface, const render::Camera& camera,
-                             std::uint32_t size);
+/// An orbiting camera that frames the surface in a square picture. `azimuth` as in render::View.
+render::Camera frame_surface(const PatchSurface& surface, float azimuth);
+
+/// The surface in white, or as `shading` says, over nothing; both sides of it are drawn. The alpha of a pixel is the
+/// share of it that is covered. `size` is the width and height in pixels.
+image::Image draw_surface(render::Rasteriser& rasteriser, const PatchSurface& surface, const render::Camera& camera,
+                          std::uint32_t size, render::Shading shading = render::Shading::phong);
 
 /// In pixels.
 struct SilhouetteDifference {

@@ -49,7 +49,7 @@ TEST(Silhouette, OfASphereIsADisc) {
     for (const Vertex& v : sphere.vertices)
         framing.add({v.position[0], v.position[1], v.position[2]});
     const std::uint32_t size = 200;
-    const image::Image disc = measure::draw_silhouette(*rasteriser, sphere, framing.camera(), size);
+    const image::Image disc = measure::draw_surface(*rasteriser, sphere, framing.camera(), size);
     const double radius = 0.5 * render::fill * size;
     const double area = measure::compare_silhouettes(disc, covered(size, 0, 0)).area;
     EXPECT_NEAR(area, std::numbers::pi * radius * radius, 0.01 * area);
