@@ -58,5 +58,16 @@ TEST(Silhouette, OfASphereIsADisc) {
     EXPECT_LT(outline, 10 * radius);
 }
 
+TEST(Silhouette, IsDrawnFromBehindToo) {
+    const auto rasteriser = raster::open_portable(backends::open_device("reference"));
+    const auto sheet = test::make_surface(test::folded_sheet(0.0, false), {}, 1);
+    const image::Image nothing = covered(100, 0, 0);
+    for (const double azimuth : {0.0, std::numbers::pi}) {
+        const render::Camera camera = measure::frame_surface(sheet, static_cast<float>(azimuth));
+        const image::Image picture = measure::draw_surface(*rasteriser, sheet, camera, 100);
+        EXPECT_GT(measure::compare_silhouettes(picture, nothing).area, 1000.0) << azimuth;
+    }
+}
+
 }  // namespace
 }  // namespace tessera
