@@ -170,7 +170,7 @@ void write_costs(const Bench& bench, Document& document) {
     document.paragraph(
         "What this comes to in time depends on the device: `tessera bench` compares whole jobs, `bench_stages` schemes "
         "and stages, on all devices that are there.");
-    document.commands("build/release/bench_stages --benchmark_filter='(phong|pn)/'");
+    document.commands("build/release/bench_stages --benchmark_filter='/(phong|pn)/'");
 }
 
 }  // namespace
