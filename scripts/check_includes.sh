@@ -20,6 +20,7 @@ tessellate:         base kernels gpu patches
 export:             base scene tessellate
 render:             base image scene tessellate
 raster:             base kernels gpu image scene tessellate render
+measure:            base gpu image patches scene tessellate render
 verify:             base gpu patches tessellate
 bench:              base kernels gpu image patches scene tessellate render
 backends:           base gpu render verify bench
@@ -36,7 +37,7 @@ cli:                base gpu image compare scene patches tessellate export rende
 outside="
 vulkan:      backends/vulkan
 CL:          backends/opencl
-oneapi:      backends/reference bench compare
+oneapi:      backends/reference bench compare measure
 CLI:         cli
 tiny_gltf.h: scene
 stb:         image
