@@ -127,6 +127,7 @@ void RasterPipeline::draw(const render::TriangleBatch& batch, std::span<const Ve
     params.triangle_count = static_cast<std::uint32_t>(batch.indices.size() / 3);
     params.vertex_count = static_cast<std::uint32_t>(batch.is_local() ? batch.vertex_count : batch.indices.size());
     params.polygons_at = static_cast<std::uint32_t>(most_triangles * TRIANGLE_WORDS);
+    params.entry_count = launch_.elements;
     set_up(params);
     for (std::size_t window = 0; window < windows_->size(); ++window) {
         draw_window(window, params, texture);
@@ -151,8 +152,8 @@ void RasterPipeline::upload(const render::TriangleBatch& batch, std::span<const 
 void RasterPipeline::set_up(const kernels::DrawParams& params) {
     submit([&](gpu::ComputePass& pass) {
         const std::uint32_t at = parameters_.push(params);
-        transform_.record(pass, at, params.vertex_count);
-        setup_.record(pass, at, params.triangle_count);
+        transform_.record(pass, at, items_of(params.vertex_count));
+        setup_.record(pass, at, items_of(params.triangle_count));
         clip_.record(pass, at, params.triangle_count);
     });
 }
@@ -225,10 +226,11 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
             submit([&](gpu::ComputePass& pass) { raster.record(pass, parameters_.push(params), items); });
         }
         if (!in_order) {
+            params.entry_count = launch_.elements;
             submit([&](gpu::ComputePass& pass) {
                 const std::uint32_t at = parameters_.push(params);
                 shade_stage(number, shade_kernel(params), texture)
-                    .record(pass, at, std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS);
+                    .record(pass, at, items_of(std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS));
             });
         }
     }
@@ -240,8 +242,9 @@ void RasterPipeline::resolve(const RasterWindow& window, const TexelBuffer& tabl
     }
     const Stage stage(device_, "raster_resolve", {window.colours, tables.buffer, picture_}, parameters_);
     submit([&](gpu::ComputePass& pass) {
-        const kernels::ResolveParams params{window.tiles_x, window.width, window.height, samples_};
-        stage.record(pass, parameters_.push(params), picture.size());
+        const kernels::ResolveParams params{window.tiles_x, window.width, window.height, samples_, launch_.elements};
+        stage.record(pass, parameters_.push(params),
+                     items_of(std::uint64_t{window.tiles_x} * RASTER_TILE * window.height));
     });
     device_.queue().read_buffer(picture_, 0, std::as_writable_bytes(picture));
 }

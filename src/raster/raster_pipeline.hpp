@@ -34,6 +34,10 @@ public:
     void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::uint32_t> picture);
 
 private:
+    /// Items for this many vertices, triangles or pixels.
+    std::uint64_t items_of(std::uint64_t elements) const {
+        return (elements + launch_.elements - 1) / launch_.elements;
+    }
     gpu::Buffer storage(const char* label, std::uint64_t bytes);
     void upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices);
     void set_up(const kernels::DrawParams& params);
