@@ -56,9 +56,16 @@ KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint,
             pixel_of[rest] = pixel_of[0];
         }
         for (uint run = 0u; run < count; run = run + RUN) {
+            uint run_seen[RUN];  // compilers lose sight of arrays in the middle
+            uint run_pixels[RUN];
+            uint run_codes[RUN];
+            for (uint k = 0u; k < RUN; ++k) {
+                run_seen[k] = seen_by[run + k];
+                run_pixels[k] = pixel_of[run + k];
+            }
             FOR_RUN(k) {
-                const uint seen = seen_by[run + k];
-                const uint place = pixel_of[run + k];
+                const uint seen = run_seen[k];
+                const uint place = run_pixels[k];
                 const uint x = left + (place & 15u);
                 const uint y = top + (place >> 4u);
                 const uint triangle = seen & ~VISIBLE_BACK;
@@ -66,7 +73,10 @@ KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint,
                 SHADE_CORNERS(p, triangle, x, y)
                 SHADE_SURFACE(colour, p, (seen & VISIBLE_BACK) != 0u, x, y)
                 colour.alpha = 1.0f;
-                codes[run + k] = PACK_COLOUR(texels, colour);
+                run_codes[k] = PACK_COLOUR(texels, colour);
+            }
+            for (uint k = 0u; k < RUN; ++k) {
+                codes[run + k] = run_codes[k];
             }
         }
         uint shaded = 0u;

@@ -40,10 +40,9 @@ private:
     }
     gpu::Buffer storage(const char* label, std::uint64_t bytes);
     void upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices);
-    void set_up(const kernels::DrawParams& params);
     void draw_window(std::size_t window, kernels::DrawParams params, const TexelBuffer& texture);
-    /// Counts triangles per tile into tile_totals_ and returns their sum.
-    std::uint64_t count(const kernels::BinParams& params);
+    /// Sets up the batch, the first time, counts triangles per tile into tile_totals_ and returns their sum.
+    std::uint64_t count(const kernels::DrawParams& params, const kernels::BinParams& bin);
     /// Writes where the lists begin, and which tiles have one; returns how many have.
     std::uint32_t upload_starts();
     void reserve_lists(std::uint32_t tiles, std::uint64_t words);
@@ -57,6 +56,7 @@ private:
     Launch launch_;
     ParameterRing parameters_;
     std::uint32_t samples_ = 4;
+    bool is_set_up_ = false;  // the batch has records and bounds
     std::vector<RasterWindow>* windows_ = nullptr;
     std::vector<Vertex> corners_;
     std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
