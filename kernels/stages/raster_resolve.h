@@ -1,5 +1,5 @@
 // Colours of samples -> picture: their mean in linear light, not multiplied by alpha any more. An item makes runs of
-// pixels of a row of tiles.
+// pixels of a row of a tile, in the order in which samples lie.
 #include "raster/srgb.h"
 
 KERNELS_BEGIN
@@ -8,15 +8,16 @@ KERNEL4(raster_resolve, READ(0, uint, colours), READ(1, uint, texels), WRITE(2, 
         UNIFORM(3, ResolveParams, params)) {
     const ResolveParams p = LOAD_UNIFORM(params);
     const uint begin = ITEM * p.item_pixels;
-    const uint y = begin / (p.tiles_x << RASTER_TILE_LOG2);
-    const uint left = begin % (p.tiles_x << RASTER_TILE_LOG2);
+    const uint tile = begin >> 8u;
+    const uint y = ((tile / p.tiles_x) << RASTER_TILE_LOG2) + ((begin >> 4u) & 15u);
+    const uint left = (tile % p.tiles_x) << RASTER_TILE_LOG2;
     if (y >= p.height) {
         return;
     }
     const float share = p.samples == 4u ? 0.25f : 1.0f;
-    for (uint first = left; first < left + p.item_pixels; first = first + RUN) {
-        const uint tile = (y >> RASTER_TILE_LOG2) * p.tiles_x + (first >> RASTER_TILE_LOG2);
-        const uint place = ((tile * p.samples) << 8u) + ((y & 15u) << 4u) + (first & 15u);
+    for (uint column = begin & 15u; column < (begin & 15u) + p.item_pixels; column = column + RUN) {
+        const uint first = left + column;
+        const uint place = ((tile * p.samples) << 8u) + ((y & 15u) << 4u) + column;
         float red[RUN];
         float green[RUN];
         float blue[RUN];

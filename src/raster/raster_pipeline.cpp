@@ -65,15 +65,17 @@ void RasterPipeline::begin(std::vector<RasterWindow>& windows, std::uint32_t sam
     const std::uint64_t visible_bytes = std::uint64_t{tiles} * RASTER_TILE_PIXELS * samples * 4;
     if (!visible_ || visible_.size() < visible_bytes) {
         visible_ = storage("visible triangles", visible_bytes);
+        is_visible_clear_ = false;
     }
     create_tile_buffers(tiles);
     gpu::CommandEncoder encoder = device_.create_command_encoder();
-    encoder.fill_buffer(visible_, 0, visible_.size(), nothing_visible);
+    if (!is_visible_clear_) encoder.fill_buffer(visible_, 0, visible_.size(), nothing_visible);
     for (const RasterWindow& window : windows) {
         encoder.fill_buffer(window.depths, 0, window.depths.size(), depth_one);
         encoder.fill_buffer(window.colours, 0, window.colours.size(), background);
     }
     device_.queue().submit(encoder.finish());
+    is_visible_clear_ = true;
 }
 
 void RasterPipeline::create_tile_buffers(std::uint32_t tiles) {
@@ -218,6 +220,7 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
         const Stage& raster = in_order ? shade_stage(number, "raster_forward", texture) : cover_stage(number);
         const std::uint64_t items = std::uint64_t{params.tile_count} << (params.spread_log2 + params.parts_log2);
         const std::uint32_t longest = *std::ranges::max_element(tile_totals_);
+        is_visible_clear_ = in_order && is_visible_clear_;  // until shading is on its way
         params.first_entry = 0;
         do {
             submit([&](gpu::ComputePass& pass) {
@@ -235,21 +238,21 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
                 }
             });
         } while (params.first_entry < longest);
+        is_visible_clear_ = true;
         params.entry_count = launch_.elements;
     }
 }
 
-void RasterPipeline::resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::uint32_t> picture) {
-    if (!picture_ || picture_.size() < picture.size_bytes()) {
-        picture_ = storage("picture", picture.size_bytes());
+void RasterPipeline::resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::byte> picture) {
+    if (!picture_ || picture_.size() < picture.size()) {
+        picture_ = storage("picture", picture.size());
     }
     const Stage stage(device_, "raster_resolve", {window.colours, tables.buffer, picture_}, parameters_);
     submit([&](gpu::ComputePass& pass) {
         const kernels::ResolveParams params{window.tiles_x, window.width, window.height, samples_, launch_.elements};
-        stage.record(pass, parameters_.push(params),
-                     items_of(std::uint64_t{window.tiles_x} * RASTER_TILE * window.height));
+        stage.record(pass, parameters_.push(params), items_of(std::uint64_t{window.tiles()} * RASTER_TILE_PIXELS));
     });
-    device_.queue().read_buffer(picture_, 0, std::as_writable_bytes(picture));
+    device_.queue().read_buffer(picture_, 0, picture);
 }
 
 }  // namespace tessera::raster

@@ -30,8 +30,8 @@ public:
     void draw(const render::TriangleBatch& batch, std::span<const Vertex> vertices, kernels::DrawParams params,
               const TexelBuffer& texture);
 
-    /// Resolves a window: a word per pixel, R G B A from the lowest byte up, rows from the top.
-    void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::uint32_t> picture);
+    /// Resolves a window: R, G, B, A of each pixel, rows from the top.
+    void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::byte> picture);
 
 private:
     /// Items for this many vertices, triangles or pixels.
@@ -56,7 +56,8 @@ private:
     Launch launch_;
     ParameterRing parameters_;
     std::uint32_t samples_ = 4;
-    bool is_set_up_ = false;  // the batch has records and bounds
+    bool is_set_up_ = false;         // the batch has records and bounds
+    bool is_visible_clear_ = false;  // all of visible_ is VISIBLE_NONE: shading leaves it so
     std::vector<RasterWindow>* windows_ = nullptr;
     std::vector<Vertex> corners_;
     std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
