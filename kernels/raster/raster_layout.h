@@ -120,8 +120,8 @@ STRUCT(DrawParams) {
     // How items share out the work.
     uint tile_count;   // tiles that have a list
     uint list_at;      // first word of the lists in `bins`
-    uint first_entry;  // of each list, and how many entries are drawn
-    uint entry_count;
+    uint first_entry;  // of each list
+    uint entry_count;  // of each list; in stages without lists the vertices, triangles or pixels of an item
     uint polygons_at;  // first word of the polygons in `records`
     uint spread_log2;  // every 2^n-th item has (a part of) a tile
     uint parts_log2;   // 2^n items share a tile, a band of rows each
@@ -143,6 +143,7 @@ STRUCT(ResolveParams) {
     uint tiles_x;
     uint width, height;  // of the window, pixels
     uint samples;
+    uint item_pixels;  // of a row, that an item makes
 };
 
 KERNELS_END

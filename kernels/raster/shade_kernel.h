@@ -1,5 +1,9 @@
-// Visible triangles -> colours of samples, for opaque materials. An item owns a pixel of a tile that has a list; a
-// triangle that several samples of a pixel see is shaded once. Leaves VISIBLE_NONE behind for the next draw.
+// Visible triangles -> colours of samples, for opaque materials. An item owns pixels of a tile that has a list, runs of
+// them; a triangle that neighbouring samples of a pixel see is shaded once. Leaves VISIBLE_NONE behind for the next
+// draw.
+//
+// What is seen is listed first and then shaded in runs without branches, so that CPUs shade as many at a time as their
+// vectors hold.
 //
 // To be included by a kernel that defines SHADE_NAME and SHADE_SURFACE(colour, p, back, x, y), a sequence of the steps
 // of shading.h after SHADE_CORNERS that sets `colour`.
@@ -11,33 +15,84 @@ KERNELS_BEGIN
 KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint, colours), READ(3, float, vertices),
         READ(4, uint, indices), READ(5, uint, texels), UNIFORM(6, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
-    const uint listed = ITEM >> 8u;
-    if (listed >= p.tile_count) {
+    const uint begin = ITEM * p.entry_count;
+    if (begin >= p.tile_count * RASTER_TILE_PIXELS) {
         return;
     }
-    const uint tile = bins[LISTED_TILES_AT(p) + listed];
-    const uint pixel = ITEM & 255u;
-    const uint first = (tile << (8u + p.axis_log2)) + pixel;
-    const uint x = ((p.tile_x + tile % p.tiles_x) << RASTER_TILE_LOG2) + (pixel & 15u);
-    const uint y = ((p.tile_y + tile / p.tiles_x) << RASTER_TILE_LOG2) + (pixel >> 4u);
-    uint shaded = VISIBLE_NONE;
-    uint code = 0u;
-    for (uint at = first; at < first + (256u << p.axis_log2); at = at + 256u) {
-        const uint seen = visible[at];
-        if (seen == VISIBLE_NONE) {
+    const uint tile = bins[LISTED_TILES_AT(p) + (begin >> 8u)];
+    const uint left = (p.tile_x + tile % p.tiles_x) << RASTER_TILE_LOG2;
+    const uint top = (p.tile_y + tile / p.tiles_x) << RASTER_TILE_LOG2;
+    const uint sample_end = 256u << p.axis_log2;
+    for (uint pixel = begin & 255u; pixel < (begin & 255u) + p.entry_count; pixel = pixel + RUN) {
+        const uint first = (tile << (8u + p.axis_log2)) + pixel;
+        uint unseen = VISIBLE_NONE;
+        for (uint sample_at = 0u; sample_at < sample_end; sample_at = sample_at + 256u) {
+            for (uint k = 0u; k < RUN; ++k) {
+                unseen = unseen & visible[first + sample_at + k];
+            }
+        }
+        if (unseen == VISIBLE_NONE) {
             continue;
         }
-        if (seen != shaded) {
-            const uint triangle = seen & ~VISIBLE_BACK;
-            Colour colour;
-            SHADE_CORNERS(p, triangle, x, y)
-            SHADE_SURFACE(colour, p, (seen & VISIBLE_BACK) != 0u, x, y)
-            colour.alpha = 1.0f;
-            code = PACK_COLOUR(texels, colour);
-            shaded = seen;
+        uint seen_by[RUN * 4u];   // the triangles to shade, what is seen of them,
+        uint pixel_of[RUN * 4u];  // and the pixels where
+        uint codes[RUN * 4u];
+        uint count = 0u;
+        for (uint k = 0u; k < RUN; ++k) {
+            uint last = VISIBLE_NONE;
+            for (uint sample_at = 0u; sample_at < sample_end; sample_at = sample_at + 256u) {
+                const uint seen = visible[first + sample_at + k];
+                if (seen != VISIBLE_NONE && seen != last) {
+                    seen_by[count] = seen;
+                    pixel_of[count] = pixel + k;
+                    count = count + 1u;
+                    last = seen;
+                }
+            }
         }
-        visible[at] = VISIBLE_NONE;
-        colours[at] = code;
+        // The rest of the last run shades again what the first one has.
+        for (uint rest = count; rest < RUN * 4u && (rest & (RUN - 1u)) != 0u; ++rest) {
+            seen_by[rest] = seen_by[0];
+            pixel_of[rest] = pixel_of[0];
+        }
+        for (uint run = 0u; run < count; run = run + RUN) {
+            uint run_seen[RUN];  // compilers lose sight of arrays in the middle
+            uint run_pixels[RUN];
+            uint run_codes[RUN];
+            for (uint k = 0u; k < RUN; ++k) {
+                run_seen[k] = seen_by[run + k];
+                run_pixels[k] = pixel_of[run + k];
+            }
+            FOR_RUN(k) {
+                const uint seen = run_seen[k];
+                const uint place = run_pixels[k];
+                const uint x = left + (place & 15u);
+                const uint y = top + (place >> 4u);
+                const uint triangle = seen & ~VISIBLE_BACK;
+                Colour colour;
+                SHADE_CORNERS(p, triangle, x, y)
+                SHADE_SURFACE(colour, p, (seen & VISIBLE_BACK) != 0u, x, y)
+                colour.alpha = 1.0f;
+                run_codes[k] = PACK_COLOUR(texels, colour);
+            }
+            for (uint k = 0u; k < RUN; ++k) {
+                codes[run + k] = run_codes[k];
+            }
+        }
+        uint shaded = 0u;
+        for (uint k = 0u; k < RUN; ++k) {
+            uint last = VISIBLE_NONE;
+            for (uint sample_at = 0u; sample_at < sample_end; sample_at = sample_at + 256u) {
+                const uint at = first + sample_at + k;
+                const uint seen = visible[at];
+                if (seen != VISIBLE_NONE) {
+                    shaded = seen != last ? shaded + 1u : shaded;
+                    last = seen;
+                    visible[at] = VISIBLE_NONE;
+                    colours[at] = codes[shaded - 1u];
+                }
+            }
+        }
     }
 }
 

@@ -42,6 +42,37 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                 const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
                 const int last_x = (last_column - in_pixel) >> p.axis_log2;
                 const int py = origin_y + (row << unit_log2) - t.y0;
+                if (RUN > 1u && last_x - first_x >= 2) {
+                    // The whole row of the tile at once; what lies beyond the box is not covered.
+                    const uint row_at = sample_index(p, part.tile, 0, row);
+                    const int row_x = origin_x + ((part.first_column + in_pixel) << unit_log2) - t.x0;
+                    const int step = 1 << RASTER_SUBPIXELS_LOG2;
+                    for (uint from = 0u; from < RASTER_TILE; from = from + RUN) {
+                        uint nearest[RUN];
+                        uint nearest_seen[RUN];
+                        FOR_RUN(k) {
+                            const int px = row_x + to_int(from + k) * step;
+                            const int e2 = t.dx1 * py - t.dy1 * px;
+                            const int e1 = t.dy2 * px - t.dx2 * py;
+                            const int e0 = area - e1 - e2;
+                            const float z = t.z0 + (t.slope_x * to_float(px) + t.slope_y * to_float(py));
+                            const uint there = depths[row_at + from + k];
+                            const uint seen_there = visible[row_at + from + k];
+                            const uint hit = ((choose_bits(e2 >= least2, 1u, 0u) & choose_bits(e1 >= least1, 1u, 0u)) &
+                                              (choose_bits(e0 >= least0, 1u, 0u) & choose_bits(z >= 0.0f, 1u, 0u))) &
+                                             choose_bits(z < bits_float(there), 1u, 0u);
+                            nearest[k] = choose_bits(hit != 0u, float_bits(z), there);
+                            nearest_seen[k] = choose_bits(hit != 0u, seen, seen_there);
+                        }
+                        for (uint k = 0u; k < RUN; ++k) {
+                            depths[row_at + from + k] = nearest[k];
+                        }
+                        for (uint k = 0u; k < RUN; ++k) {
+                            visible[row_at + from + k] = nearest_seen[k];
+                        }
+                    }
+                    continue;
+                }
                 for (int x = first_x; x <= last_x; ++x) {
                     const int px = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2) - t.x0;
                     const int e2 = t.dx1 * py - t.dy1 * px;

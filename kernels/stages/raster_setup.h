@@ -1,4 +1,5 @@
-// Screen vertices -> records and bounds of triangles. What needs clipping is left to raster_clip.
+// Screen vertices -> records and bounds of triangles, runs of them. What needs clipping is left to raster_clip. The
+// last run of a draw may go beyond its triangles: the buffers hold whole runs, and old indices are as good as any.
 #include "raster/triangle_setup.h"
 
 #define LOAD_SCREEN_POINT(to, vertex)                             \
@@ -13,36 +14,54 @@ KERNELS_BEGIN
 KERNEL5(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, uint, records), WRITE(3, uint, bounds),
         UNIFORM(4, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
-    const uint i = ITEM;
-    if (i >= p.triangle_count) {
-        return;
+    const uint begin = ITEM * p.entry_count;
+    const uint end = begin + p.entry_count < p.triangle_count ? begin + p.entry_count : p.triangle_count;
+    for (uint first_of_run = begin; first_of_run < end; first_of_run = first_of_run + RUN) {
+        uint columns[RUN];
+        uint rows[RUN];
+        uint run[RUN * TRIANGLE_WORDS];
+        FOR_RUN(k) {
+            const uint i = first_of_run + k;
+            LOAD_SCREEN_POINT(a, indices[i * 3u]);
+            LOAD_SCREEN_POINT(b, indices[i * 3u + 1u]);
+            LOAD_SCREEN_POINT(c, indices[i * 3u + 2u]);
+            const RasterTriangle t = make_raster_triangle(a, b, c, p.cull);
+            const int left = smaller(a.x, smaller(b.x, c.x));
+            const int right = larger(a.x, larger(b.x, c.x));
+            const int top = smaller(a.y, smaller(b.y, c.y));
+            const int bottom = larger(a.y, larger(b.y, c.y));
+            const RasterBounds box = make_bounds(p, left, right, top, bottom);
+            const uint any = (a.code | b.code) | c.code;
+            const uint all = (a.code & b.code) & c.code;
+            const bool gone = ((all & OUT_MASK) | (any & OUT_INVALID)) != 0u;
+            const uint clipped = choose_bits(gone, 0u, any & OUT_CLIP);
+            const uint empty = choose_bits(gone, 1u, choose_bits(t.drawn, 0u, 1u));
+            columns[k] =
+                choose_bits(clipped != 0u, BOUNDS_UNKNOWN, choose_bits(empty != 0u, BOUNDS_EMPTY, box.columns));
+            rows[k] = choose_bits((clipped | empty) != 0u, BOUNDS_EMPTY, box.rows);
+            const uint small = choose_bits(right - left <= SMALL_EXTENT, TRIANGLE_SMALL, 0u) &
+                               choose_bits(bottom - top <= SMALL_EXTENT, TRIANGLE_SMALL, 0u) &
+                               choose_bits(clipped != 0u, 0u, TRIANGLE_SMALL);
+            run[k] = to_uint(t.x0);
+            run[RUN + k] = to_uint(t.y0);
+            run[2u * RUN + k] = (to_uint(t.dx1) & 0xffffu) | (to_uint(t.dy1) << 16u);
+            run[3u * RUN + k] = (to_uint(t.dx2) & 0xffffu) | (to_uint(t.dy2) << 16u);
+            run[4u * RUN + k] = float_bits(t.z0);
+            run[5u * RUN + k] = float_bits(t.slope_x);
+            run[6u * RUN + k] = float_bits(t.slope_y);
+            run[7u * RUN + k] = t.flags | small;
+        }
+        for (uint k = 0u; k < RUN; ++k) {
+            const uint i = first_of_run + k;
+            bounds[i * BOUNDS_WORDS] = columns[k];
+            bounds[i * BOUNDS_WORDS + 1u] = rows[k];
+            if (columns[k] != BOUNDS_EMPTY) {
+                for (uint word = 0u; word < TRIANGLE_WORDS; ++word) {
+                    records[i * TRIANGLE_WORDS + word] = run[word * RUN + k];
+                }
+            }
+        }
     }
-    LOAD_SCREEN_POINT(a, indices[i * 3u]);
-    LOAD_SCREEN_POINT(b, indices[i * 3u + 1u]);
-    LOAD_SCREEN_POINT(c, indices[i * 3u + 2u]);
-    const RasterTriangle t = make_raster_triangle(a, b, c, p.cull);
-    const int left = smaller(a.x, smaller(b.x, c.x));
-    const int right = larger(a.x, larger(b.x, c.x));
-    const int top = smaller(a.y, smaller(b.y, c.y));
-    const int bottom = larger(a.y, larger(b.y, c.y));
-    const RasterBounds box = make_bounds(p, left, right, top, bottom);
-    const uint any = (a.code | b.code) | c.code;
-    const uint all = (a.code & b.code) & c.code;
-    const bool gone = (all & OUT_MASK) != 0u || (any & OUT_INVALID) != 0u;
-    const bool clipped = !gone && (any & OUT_CLIP) != 0u;
-    const bool empty = gone || !t.drawn;
-    bounds[i * BOUNDS_WORDS] = clipped ? BOUNDS_UNKNOWN : (empty ? BOUNDS_EMPTY : box.columns);
-    bounds[i * BOUNDS_WORDS + 1u] = clipped || empty ? BOUNDS_EMPTY : box.rows;
-    const bool small = !clipped && right - left <= SMALL_EXTENT && bottom - top <= SMALL_EXTENT;
-    const uint at = i * TRIANGLE_WORDS;
-    records[at] = to_uint(t.x0);
-    records[at + 1u] = to_uint(t.y0);
-    records[at + 2u] = (to_uint(t.dx1) & 0xffffu) | (to_uint(t.dy1) << 16u);
-    records[at + 3u] = (to_uint(t.dx2) & 0xffffu) | (to_uint(t.dy2) << 16u);
-    records[at + 4u] = float_bits(t.z0);
-    records[at + 5u] = float_bits(t.slope_x);
-    records[at + 6u] = float_bits(t.slope_y);
-    records[at + 7u] = t.flags | (small ? TRIANGLE_SMALL : 0u);
 }
 
 KERNELS_END

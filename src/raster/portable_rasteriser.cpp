@@ -88,13 +88,19 @@ public:
         require(State::drawing, "finish", "set_materials");
         state_ = State::idle;
         image::Image picture{width_, height_, std::vector<std::uint8_t>(std::size_t{width_} * height_ * 4)};
-        std::vector<std::uint32_t> pixels;
+        std::vector<std::byte> pixels;
         for (const RasterWindow& window : windows_) {
-            pixels.resize(std::size_t{window.width} * window.height);
+            const std::size_t bytes = std::size_t{window.width} * window.height * 4;
+            if (window.width == width_) {  // whole rows lie together
+                const auto rows = std::as_writable_bytes(std::span(picture.rgba));
+                pipeline_.resolve(window, textures_.plain(), rows.subspan(std::size_t{window.y} * width_ * 4, bytes));
+                continue;
+            }
+            pixels.resize(bytes);
             pipeline_.resolve(window, textures_.plain(), pixels);
             for (std::uint32_t row = 0; row < window.height; ++row) {
                 std::memcpy(&picture.rgba[(std::size_t{window.y + row} * width_ + window.x) * 4],
-                            &pixels[std::size_t{row} * window.width], std::size_t{window.width} * 4);
+                            &pixels[std::size_t{row} * window.width * 4], std::size_t{window.width} * 4);
             }
         }
         return picture;

@@ -65,15 +65,17 @@ void RasterPipeline::begin(std::vector<RasterWindow>& windows, std::uint32_t sam
     const std::uint64_t visible_bytes = std::uint64_t{tiles} * RASTER_TILE_PIXELS * samples * 4;
     if (!visible_ || visible_.size() < visible_bytes) {
         visible_ = storage("visible triangles", visible_bytes);
+        is_visible_clear_ = false;
     }
     create_tile_buffers(tiles);
     gpu::CommandEncoder encoder = device_.create_command_encoder();
-    encoder.fill_buffer(visible_, 0, visible_.size(), nothing_visible);
+    if (!is_visible_clear_) encoder.fill_buffer(visible_, 0, visible_.size(), nothing_visible);
     for (const RasterWindow& window : windows) {
         encoder.fill_buffer(window.depths, 0, window.depths.size(), depth_one);
         encoder.fill_buffer(window.colours, 0, window.colours.size(), background);
     }
     device_.queue().submit(encoder.finish());
+    is_visible_clear_ = true;
 }
 
 void RasterPipeline::create_tile_buffers(std::uint32_t tiles) {
@@ -127,43 +129,44 @@ void RasterPipeline::draw(const render::TriangleBatch& batch, std::span<const Ve
     params.triangle_count = static_cast<std::uint32_t>(batch.indices.size() / 3);
     params.vertex_count = static_cast<std::uint32_t>(batch.is_local() ? batch.vertex_count : batch.indices.size());
     params.polygons_at = static_cast<std::uint32_t>(most_triangles * TRIANGLE_WORDS);
-    set_up(params);
+    params.entry_count = launch_.elements;
+    is_set_up_ = false;
     for (std::size_t window = 0; window < windows_->size(); ++window) {
         draw_window(window, params, texture);
     }
 }
 
 void RasterPipeline::upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices) {
+    // The device may still be busy with the batch before: it is waited for as late as possible, by the first write.
     local_indices_.resize(batch.indices.size());
+    std::span<const Vertex> used;
     if (batch.is_local()) {
-        device_.queue().write_buffer(vertices_, 0,
-                                     std::as_bytes(vertices.subspan(batch.first_vertex, batch.vertex_count)));
         render::write_local_indices(batch, local_indices_.data());
+        used = vertices.subspan(batch.first_vertex, batch.vertex_count);
     } else {
+        std::iota(local_indices_.begin(), local_indices_.end(), 0u);
         corners_.resize(batch.indices.size());
         render::write_corners(batch, vertices, corners_.data());
-        std::iota(local_indices_.begin(), local_indices_.end(), 0u);
-        device_.queue().write_buffer(vertices_, 0, std::as_bytes(std::span(corners_)));
+        used = corners_;
     }
     device_.queue().write_buffer(indices_, 0, std::as_bytes(std::span(local_indices_)));
+    device_.queue().write_buffer(vertices_, 0, std::as_bytes(used));
 }
 
-void RasterPipeline::set_up(const kernels::DrawParams& params) {
+std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const kernels::BinParams& bin) {
+    const std::uint32_t tiles = bin.tiles_x * bin.tiles_y;
     submit([&](gpu::ComputePass& pass) {
-        const std::uint32_t at = parameters_.push(params);
-        transform_.record(pass, at, params.vertex_count);
-        setup_.record(pass, at, params.triangle_count);
-        clip_.record(pass, at, params.triangle_count);
-    });
-}
-
-std::uint64_t RasterPipeline::count(const kernels::BinParams& params) {
-    const std::uint32_t tiles = params.tiles_x * params.tiles_y;
-    submit([&](gpu::ComputePass& pass) {
-        const std::uint32_t at = parameters_.push(params);
-        count_.record(pass, at, std::uint64_t{params.blocks} << params.spread_log2);
+        if (!is_set_up_) {
+            const std::uint32_t at = parameters_.push(params);
+            transform_.record(pass, at, items_of(params.vertex_count));
+            setup_.record(pass, at, items_of(params.triangle_count));
+            clip_.record(pass, at, params.triangle_count);
+        }
+        const std::uint32_t at = parameters_.push(bin);
+        count_.record(pass, at, std::uint64_t{bin.blocks} << bin.spread_log2);
         columns_.record(pass, at, tiles);
     });
+    is_set_up_ = true;
     tile_totals_.resize(tiles);
     device_.queue().read_buffer(totals_, 0, std::as_writable_bytes(std::span(tile_totals_)));
     return std::accumulate(tile_totals_.begin(), tile_totals_.end(), std::uint64_t{0});
@@ -206,7 +209,7 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
         std::uint64_t listed = 0;
         while (true) {  // a single triangle always fits
             bin.blocks = (bin.triangle_count + bin.block - 1) / bin.block;
-            listed = count(bin);
+            listed = count(params, bin);
             if (listed <= max_list_words) break;
             bin.triangle_count = (bin.triangle_count + 1) / 2;
         }
@@ -217,33 +220,39 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
         const Stage& raster = in_order ? shade_stage(number, "raster_forward", texture) : cover_stage(number);
         const std::uint64_t items = std::uint64_t{params.tile_count} << (params.spread_log2 + params.parts_log2);
         const std::uint32_t longest = *std::ranges::max_element(tile_totals_);
-        params.entry_count = launch_.entries;
-        submit([&](gpu::ComputePass& pass) {
-            fill_.record(pass, parameters_.push(bin), std::uint64_t{bin.blocks} << bin.spread_log2);
-        });
-        for (params.first_entry = 0; params.first_entry < longest; params.first_entry += launch_.entries) {
-            submit([&](gpu::ComputePass& pass) { raster.record(pass, parameters_.push(params), items); });
-        }
-        if (!in_order) {
+        is_visible_clear_ = in_order && is_visible_clear_;  // until shading is on its way
+        params.first_entry = 0;
+        do {
             submit([&](gpu::ComputePass& pass) {
-                const std::uint32_t at = parameters_.push(params);
-                shade_stage(number, shade_kernel(params), texture)
-                    .record(pass, at, std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS);
+                if (params.first_entry == 0) {
+                    fill_.record(pass, parameters_.push(bin), std::uint64_t{bin.blocks} << bin.spread_log2);
+                }
+                params.entry_count = launch_.entries;
+                raster.record(pass, parameters_.push(params), items);
+                params.first_entry += launch_.entries;
+                if (params.first_entry >= longest && !in_order) {
+                    params.entry_count = launch_.elements;
+                    shade_stage(number, shade_kernel(params), texture)
+                        .record(pass, parameters_.push(params),
+                                items_of(std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS));
+                }
             });
-        }
+        } while (params.first_entry < longest);
+        is_visible_clear_ = true;
+        params.entry_count = launch_.elements;
     }
 }
 
-void RasterPipeline::resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::uint32_t> picture) {
-    if (!picture_ || picture_.size() < picture.size_bytes()) {
-        picture_ = storage("picture", picture.size_bytes());
+void RasterPipeline::resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::byte> picture) {
+    if (!picture_ || picture_.size() < picture.size()) {
+        picture_ = storage("picture", picture.size());
     }
     const Stage stage(device_, "raster_resolve", {window.colours, tables.buffer, picture_}, parameters_);
     submit([&](gpu::ComputePass& pass) {
-        const kernels::ResolveParams params{window.tiles_x, window.width, window.height, samples_};
-        stage.record(pass, parameters_.push(params), picture.size());
+        const kernels::ResolveParams params{window.tiles_x, window.width, window.height, samples_, launch_.elements};
+        stage.record(pass, parameters_.push(params), items_of(std::uint64_t{window.tiles()} * RASTER_TILE_PIXELS));
     });
-    device_.queue().read_buffer(picture_, 0, std::as_writable_bytes(picture));
+    device_.queue().read_buffer(picture_, 0, picture);
 }
 
 }  // namespace tessera::raster

@@ -30,16 +30,19 @@ public:
     void draw(const render::TriangleBatch& batch, std::span<const Vertex> vertices, kernels::DrawParams params,
               const TexelBuffer& texture);
 
-    /// Resolves a window: a word per pixel, R G B A from the lowest byte up, rows from the top.
-    void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::uint32_t> picture);
+    /// Resolves a window: R, G, B, A of each pixel, rows from the top.
+    void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::byte> picture);
 
 private:
+    /// Items for this many vertices, triangles or pixels.
+    std::uint64_t items_of(std::uint64_t elements) const {
+        return (elements + launch_.elements - 1) / launch_.elements;
+    }
     gpu::Buffer storage(const char* label, std::uint64_t bytes);
     void upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices);
-    void set_up(const kernels::DrawParams& params);
     void draw_window(std::size_t window, kernels::DrawParams params, const TexelBuffer& texture);
-    /// Counts triangles per tile into tile_totals_ and returns their sum.
-    std::uint64_t count(const kernels::BinParams& params);
+    /// Sets up the batch, the first time, counts triangles per tile into tile_totals_ and returns their sum.
+    std::uint64_t count(const kernels::DrawParams& params, const kernels::BinParams& bin);
     /// Writes where the lists begin, and which tiles have one; returns how many have.
     std::uint32_t upload_starts();
     void reserve_lists(std::uint32_t tiles, std::uint64_t words);
@@ -53,6 +56,8 @@ private:
     Launch launch_;
     ParameterRing parameters_;
     std::uint32_t samples_ = 4;
+    bool is_set_up_ = false;         // the batch has records and bounds
+    bool is_visible_clear_ = false;  // all of visible_ is VISIBLE_NONE: shading leaves it so
     std::vector<RasterWindow>* windows_ = nullptr;
     std::vector<Vertex> corners_;
     std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
