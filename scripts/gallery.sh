@@ -48,6 +48,15 @@ beside figure.png "$panels/split.png" "$panels/cracks.png" "$panels/round.png"
 pair spot.png "$models/spot/spot_control_mesh.obj" 150,10
 pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22
 
+panel avocado_pbr "$models/Avocado/Avocado.gltf" --orbit=-25,15 --size 310x460 --factor 8 --shading pbr --tonemap aces
+panel fox_pbr "$models/Fox/Fox.glb" --orbit=-40,12 --size 460x460 --factor 8 --shading pbr --tonemap aces
+beside pbr.png "$panels/avocado_pbr.png" "$panels/fox_pbr.png"
+panel literature assets/figure.glb --size 310x460 --factor 8 --preset van-veen
+panel wires_over assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 3 --view wireframe
+panel far assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 8 --view depth
+panel coordinates assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 8 --view uv
+beside views.png "$panels/literature.png" "$panels/wires_over.png" "$panels/far.png" "$panels/coordinates.png"
+
 "$tessera" --quiet render assets/figure.glb -o "$panels/compare.png" --compare linear,phong,pn --size 420x460 --factor 8
 beside compare.png "$panels/compare.png"
 "$tessera" --quiet render assets/rabbit.glb -o "$panels/turn.png" --turntable 6 --orbit -38,14 --size 210x300 --factor 8

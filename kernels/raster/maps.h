@@ -149,7 +149,8 @@ KERNELS_END
                 w * (row_u.x * u_down + row_u.y * v_down), h * (row_v.x * u_down + row_v.y * v_down), levels); \
             const uint whole = to_uint(floor_to_int(level));                                                   \
             const float part = level - to_float(whole);                                                        \
-            const bool coded = kind == MAP_BASE_COLOUR || kind == MAP_EMISSIVE;                                \
+            const bool coded =                                                                                 \
+                choose_bits(kind == MAP_BASE_COLOUR, 1u, choose_bits(kind == MAP_EMISSIVE, 1u, 0u)) != 0u;     \
             Colour found;                                                                                      \
             found.red = 0.0f;                                                                                  \
             found.green = 0.0f;                                                                                \

@@ -6,6 +6,25 @@
 
 KERNELS_BEGIN
 
+/// normalise() without branches: it is called many times over, and some drivers (SwiftShader) need memory and time
+/// without measure for the branches of the original.
+FUNCTION Vector unit_vector(Vector v, Vector fallback) {
+    const uint x = float_bits(v.x) & 0x7fffffffu;
+    const uint y = float_bits(v.y) & 0x7fffffffu;
+    const uint z = float_bits(v.z) & 0x7fffffffu;
+    const uint wider = choose_bits(x > y, x, y);
+    const uint exponent = choose_bits(wider > z, wider, z) >> 23u;
+    const bool is_zero = exponent < 7u;
+    const uint safe = choose_bits(is_zero, 127u, choose_bits(exponent > 253u, 127u, exponent));
+    const float s = choose(is_zero, 0.0f, bits_float((254u - safe) << 23u));
+    const Vector n = flush_vector(scale(v, s));
+    const float squared = dot_product(n, n);
+    const bool some = squared > 0.0f;
+    const Vector unit = flush_vector(scale(n, exact_rsqrt_of_normal(choose(some, squared, 1.0f))));
+    return make_vector(choose(some, unit.x, fallback.x), choose(some, unit.y, fallback.y),
+                       choose(some, unit.z, fallback.z));
+}
+
 STRUCT(Reflection) {
     float ambient;
     float diffuse;
@@ -25,9 +44,9 @@ FUNCTION Vector turn_to_camera(DrawParams p, Vector v) {
 FUNCTION Vector towards_light(DrawParams p, Vector camera, Vector light, bool is_place) {
     const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
     const float from = choose(is_place, 1.0f, 0.0f);
-    return normalise(make_vector(light.x + from * (p.rt - camera.x), light.y + from * (p.ut - camera.y),
-                                 light.z + from * (p.bt - camera.z)),
-                     ahead);
+    return unit_vector(make_vector(light.x + from * (p.rt - camera.x), light.y + from * (p.ut - camera.y),
+                                   light.z + from * (p.bt - camera.z)),
+                       ahead);
 }
 
 /// Blinn, "Models of light reflection for computer synthesized pictures", 1977; Phong, "Illumination for computer
@@ -35,7 +54,7 @@ FUNCTION Vector towards_light(DrawParams p, Vector camera, Vector light, bool is
 FUNCTION Colour reflect_light(Reflection r, Vector n, Vector to_light, Vector to_eye, Colour base) {
     const float facing = dot_product(n, to_light);
     const float lit = at_least(facing, 0.0f);
-    const Vector halfway = normalise(add(to_light, to_eye), to_eye);
+    const Vector halfway = unit_vector(add(to_light, to_eye), to_eye);
     const Vector mirrored = subtract(scale(n, 2.0f * facing), to_light);
     const float high = choose(r.half_vector, dot_product(n, halfway), dot_product(mirrored, to_eye));
     const float peak = exact_power(at_most(at_least(high, 0.0f), 1.0f), r.shininess);
@@ -69,7 +88,7 @@ KERNELS_END
     base.blue = choose(own_colour, base.blue, LOOK_FLOAT(texels, LOOK_COLOUR + 2u));                                  \
     const Vector camera = weigh_vectors(inside, ca.camera, cb.camera, cc.camera);                                     \
     const Vector lamp = towards_light(p, camera, LOOK_VECTOR(texels, LOOK_LIGHT), texels[LOOK_LIGHT_IS_PLACE] != 0u); \
-    const Vector eye = normalise(make_vector(-camera.x, -camera.y, -camera.z), make_vector(0.0f, 0.0f, 1.0f));        \
+    const Vector eye = unit_vector(make_vector(-camera.x, -camera.y, -camera.z), make_vector(0.0f, 0.0f, 1.0f));      \
     colour = reflect_light(reflection, turn_to_camera(p, normal), lamp, eye, base);
 
 #endif

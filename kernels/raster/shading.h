@@ -43,7 +43,7 @@ FUNCTION float power_600(float x) {
 /// The unit normal on the visible side, in the model's axes. A normal without length faces the viewer.
 FUNCTION Vector facing_normal(DrawParams p, Vector normal, bool back) {
     const Vector to_viewer = make_vector(p.bx * p.unscale, p.by * p.unscale, p.bz * p.unscale);
-    const Vector n = normalise(normal, make_vector(0.0f, 0.0f, 0.0f));
+    const Vector n = unit_vector(normal, make_vector(0.0f, 0.0f, 0.0f));
     const bool none = !(dot_product(n, n) > 0.0f);
     const float side = choose(back, -1.0f, 1.0f);
     return make_vector(choose(none, to_viewer.x, n.x * side), choose(none, to_viewer.y, n.y * side),
@@ -56,8 +56,8 @@ FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour b
                                        ((p.bx * normal.x + p.by * normal.y) + p.bz * normal.z) * p.unscale);
     const Vector n = flush_vector(rotated);
     const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
-    const Vector to_eye = normalise(make_vector(-camera.x, -camera.y, -camera.z), ahead);
-    const Vector halfway = normalise(add(to_light(), to_eye), ahead);
+    const Vector to_eye = unit_vector(make_vector(-camera.x, -camera.y, -camera.z), ahead);
+    const Vector halfway = unit_vector(add(to_light(), to_eye), ahead);
     const float lit = at_least(dot_product(n, to_light()), 0.0f);
     const float high = at_most(at_least(dot_product(n, halfway), 0.0f), 1.0f);
     const float shine = choose(lit > 0.0f, power_600(high), 0.0f);

@@ -29,7 +29,7 @@ void use_van_veen_preset(render::Frame& frame) {
     frame.reflection.shininess = 150.0f;
     frame.reflection.light = glm::vec3(-2.0f, 5.0f, 10.0f);
     frame.reflection.light_is_place = true;
-    frame.reflection.colour = glm::vec3(0.988f, 0.0f, 0.427f);
+    frame.reflection.colour = glm::vec3(0.9734f, 0.0f, 0.1527f);  // (0.988, 0, 0.427) as codes of the screen
     frame.shading = render::Shading::reflection;
 }
 
@@ -99,7 +99,7 @@ void apply(const LookWords& words, const scene::Scene& scene, int exponent, rend
         scene::Light key;
         key.fixed_to_camera = true;
         key.direction = frame.reflection.light_is_place ? glm::vec3(0.0f, 0.0f, 1.0f) : frame.reflection.light;
-        key.intensity = glm::vec3(2.2f);
+        key.intensity = glm::vec3(2.0f);
         frame.lights.push_back(key);
     }
 }

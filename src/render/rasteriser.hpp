@@ -44,7 +44,7 @@ enum class ToneCurve {
 
 /// Light that comes from everywhere, by height: linear colours.
 struct Sky {
-    glm::vec3 zenith{0.42f, 0.58f, 0.85f}, horizon{0.95f, 0.94f, 0.90f}, ground{0.17f, 0.15f, 0.14f};
+    glm::vec3 zenith{0.30f, 0.42f, 0.62f}, horizon{0.72f, 0.71f, 0.68f}, ground{0.13f, 0.115f, 0.105f};
 };
 
 /// The picture to be made.
