@@ -1,6 +1,7 @@
-// Division, reciprocal and reciprocal square root from + - x and integers alone, so that every device gives the same
-// bits. Vulkan allows 2.5 ULP for `/` and 2 ULP for inversesqrt; these take an integer seed and fixed Newton steps on a
-// mantissa in [1, 4) and put the exponent back as an integer, so that no intermediate is a denormal.
+// Division, reciprocal, reciprocal square root, exponential and logarithm from + - x and integers alone, so that every
+// device gives the same bits. Vulkan allows 2.5 ULP for `/` and 2 ULP for inversesqrt; these take an integer seed and
+// fixed Newton steps on a mantissa in [1, 4) and put the exponent back as an integer, so that no intermediate is a
+// denormal.
 #ifndef TESSERA_EXACT_H
 #define TESSERA_EXACT_H
 
@@ -64,6 +65,54 @@ FUNCTION float exact_rsqrt(float x) {
 /// a/b within 2.17 ULP where b is as in exact_reciprocal and neither a nor the quotient is denormal or overflows.
 FUNCTION float exact_divide(float a, float b) {
     return a * exact_reciprocal(b);
+}
+
+/// 2^x within 1.14 ULP for x in [-126, 128); 0 below, infinity above, NaN for NaN. 2^f for
+/// f in [-1/2, 1/2] is 1 + f p(f), with the polynomial of degree 5 through the values at the Chebyshev points.
+FUNCTION float exact_exp2(float x) {
+    const float low = x > -127.0f ? x : -127.0f;  // NaN too
+    const float bounded = low < 129.0f ? low : 129.0f;
+    const uint shifted = float_bits(bounded + 12582912.0f);  // the nearest integer in the lowest bits
+    const float f = bounded - (bits_float(shifted) - 12582912.0f);
+    float p = 0.000154531634f;
+    p = p * f + 0.00133908633f;
+    p = p * f + 0.00961808302f;
+    p = p * f + 0.0555035695f;
+    p = p * f + 0.240226507f;
+    p = p * f + 0.693147182f;
+    p = p * f + 1.0f;
+    const uint result = float_bits(p) + ((shifted - 0x4b400000u) << 23u);
+    const uint above = x >= 128.0f ? 0x7f800000u : result;
+    const uint finite = x >= -126.0f ? above : 0u;
+    return bits_float(x == x ? finite : 0x7fc00000u);
+}
+
+/// log2(x) within 2.2 ULP for normal, finite x > 0. Any other x gives some number or other. The mantissa is taken in
+/// [sqrt(1/2), sqrt(2)), so that log2(1) is 0 exactly and numbers close to 1 keep their digits; the polynomial is that
+/// of degree 8 through the values of log2(1 + f) / f at the Chebyshev points.
+FUNCTION float exact_log2(float x) {
+    const uint bits = float_bits(x);
+    const uint shifted = bits - 0x3f3504f3u;  // of sqrt(1/2)
+    const uint exponent = (shifted >> 23u) - ((shifted & 0x80000000u) != 0u ? 512u : 0u);
+    const float f = bits_float(bits - (exponent << 23u)) - 1.0f;
+    float p = 0.123109683f;
+    p = p * f + -0.205861881f;
+    p = p * f + 0.216078222f;
+    p = p * f + -0.239169881f;
+    p = p * f + 0.287903249f;
+    p = p * f + -0.360693276f;
+    p = p * f + 0.480910748f;
+    p = p * f + -0.721347451f;
+    p = p * f + 1.44269502f;
+    return to_float(exponent) + f * p;
+}
+
+/// x^y for x in [0, 1] and y in (0, 2^20] as light needs it, within 5e-6 of its value: the error of y log2(x), which is
+/// at most 60. 0 where x or the result is under 2^-60.
+FUNCTION float exact_power(float x, float y) {
+    const bool none = x < 8.673617379884035e-19f;  // 2^-60
+    const float power = exact_exp2(y * exact_log2(none ? 1.0f : x));
+    return none ? 0.0f : flush_tiny(power);
 }
 
 KERNELS_END

@@ -50,6 +50,15 @@ pair rook.png "$models/opensubdiv/catmark_rook.obj" 30,15
 pair teapot.png "$models/obj/max6_teapot.obj" 30,20
 pair ufo.png "$models/RetroUFO/retroufo.glb" 30,22
 
+panel avocado_pbr "$models/Avocado/Avocado.gltf" --orbit=-25,15 --size 310x460 --factor 8 --shading pbr --tonemap aces
+panel fox_pbr "$models/Fox/Fox.glb" --orbit=-40,12 --size 460x460 --factor 8 --shading pbr --tonemap aces
+beside pbr.png "$panels/avocado_pbr.png" "$panels/fox_pbr.png"
+panel literature assets/figure.glb --size 310x460 --factor 8 --preset van-veen
+panel wires_over assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 3 --view wireframe
+panel far assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 8 --view depth
+panel coordinates assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 8 --view uv
+beside views.png "$panels/literature.png" "$panels/wires_over.png" "$panels/far.png" "$panels/coordinates.png"
+
 "$tessera" --quiet render assets/figure.glb -o "$panels/compare.png" --compare linear,phong,pn --size 420x460 --factor 8
 beside compare.png "$panels/compare.png"
 "$tessera" --quiet render assets/rabbit.glb -o "$panels/turn.png" --turntable 6 --orbit -38,14 --size 210x300 --factor 8

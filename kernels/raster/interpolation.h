@@ -61,6 +61,25 @@ FUNCTION float bounded_weight(float x) {
     return choose(is_below(y, 97u), 0.0f, y);
 }
 
+/// exact_reciprocal() without branches, which some drivers (SwiftShader) take minutes to compile by the hundred.
+FUNCTION float chosen_reciprocal(float x) {
+    const uint bits = float_bits(x);
+    const uint exponent = (bits >> 23u) & 0xffu;
+    const uint mantissa = bits & 0x007fffffu;
+    const uint edge = choose_bits(exponent == 0u, 1u, 0u) | choose_bits(exponent == 255u, 1u, 0u);
+    const float m = bits_float(mantissa | 0x3f800000u);
+    float r = bits_float(0x7ef311c7u - float_bits(m));
+    r = r * (2.0f - m * r);
+    r = r * (2.0f - m * r);
+    r = r * (2.0f - m * r);
+    r = r + r * (1.0f - m * r);
+    const uint sum = (float_bits(r) >> 23u) + 127u;
+    const uint shifted = (float_bits(r) & 0x007fffffu) | ((sum - exponent) << 23u);
+    const uint finite = choose_bits(sum > exponent, shifted, 0u);
+    const uint special = choose_bits(exponent == 0u, 0x7f800000u, choose_bits(mantissa == 0u, 0u, 0x7fc00000u));
+    return bits_float((bits & 0x80000000u) | choose_bits(edge != 0u, special, finite));
+}
+
 /// Weights at the point (x, y) of the plane of the triangle, which may lie outside it. They add up to one.
 FUNCTION Weights weights_at(ClipPoint a, ClipPoint b, ClipPoint c, float x, float y) {
     const float ax = relative(a.x, x, a.w);
@@ -73,7 +92,7 @@ FUNCTION Weights weights_at(ClipPoint a, ClipPoint b, ClipPoint c, float x, floa
     const float wb = cx * ay - cy * ax;
     const float wc = ax * by - ay * bx;
     const float sum = (wa + wb) + wc;
-    const float r = exact_reciprocal(sum);
+    const float r = chosen_reciprocal(sum);
     const bool flat_on = sum == 0.0f;
     Weights w;
     w.a = choose(flat_on, 1.0f, bounded_weight(wa * r));
@@ -90,7 +109,7 @@ FUNCTION Weights weights_inside(Weights w) {
     const float c = at_least(w.c, 0.0f);
     const float sum = (a + b) + c;
     const bool some = sum > 0.0f;
-    const float r = choose(some, exact_reciprocal(choose(some, sum, 1.0f)), 0.0f);
+    const float r = choose(some, chosen_reciprocal(choose(some, sum, 1.0f)), 0.0f);
     Weights inside;
     inside.a = choose(some, bounded_weight(a * r), 1.0f);
     inside.b = bounded_weight(b * r);

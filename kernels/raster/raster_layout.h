@@ -71,17 +71,79 @@
 #define BOUNDS_UNKNOWN 0x0001ffffu  // as columns of a triangle that the clip stage has to look at
 
 // What lies before the texels of a texture: sRGB codes as linear floats; a table from linear floats to codes (two
-// floats per entry); where each mip level begins, in words of the buffer.
+// floats per entry); where each mip level begins, in words of the buffer; the look of the picture and the material;
+// maps and lights of metallic-roughness materials.
 #define SRGB_DECODE_AT 0u
 #define SRGB_ENCODE_AT 256u
 #define SRGB_ENCODE_ENTRIES 104u
 #define LEVELS_AT 464u
 #define LEVELS_MAX 16u
-#define TEXELS_AT 480u
+
+// The look, floats but for what is said to be a number.
+#define LOOK_AT 480u
+#define LOOK_HALF_VECTOR 480u  // number: 1 for Blinn's half vector, 0 for Phong's reflected ray
+#define LOOK_REFLECTION 481u   // ambient, diffuse, specular
+#define LOOK_SHININESS 484u
+#define LOOK_LIGHT 485u           // direction to the light, or its place, in camera space
+#define LOOK_LIGHT_IS_PLACE 488u  // number: 1 for a place, from the model's origin
+#define LOOK_HAS_COLOUR 489u      // number: 1 where the colour that follows replaces the materials'
+#define LOOK_COLOUR 490u
+#define LOOK_DEPTH 493u       // distance that is white; reciprocal of the range to black
+#define LOOK_TONE_CURVE 495u  // number
+#define LOOK_EXPOSURE 496u
+#define LOOK_MAPS 497u    // number of maps
+#define LOOK_LIGHTS 498u  // number of lights
+#define LOOK_UNLIT 499u   // number: 1 for KHR_materials_unlit
+#define LOOK_EMISSIVE 500u
+#define LOOK_METALLIC 503u
+#define LOOK_ROUGHNESS 504u
+#define LOOK_ZENITH 505u  // light of the sky, three colours
+#define LOOK_HORIZON 508u
+#define LOOK_GROUND 511u
+
+#define TONE_NONE 0u
+#define TONE_ACES 1u
+
+// Maps: kind, width, height and levels, how coordinates wrap in u and v (numbers); the rows (a, b, t) of the map from
+// the vertices' coordinates to its own; strength; where each of 16 levels begins.
+#define MAPS_AT 528u
+#define MAPS_MAX 5u
+#define MAP_WORDS 32u
+#define MAP_TRANSFORM 6u
+#define MAP_STRENGTH 12u
+#define MAP_LEVELS 16u
+#define MAP_BASE_COLOUR 0u
+#define MAP_METALLIC_ROUGHNESS 1u
+#define MAP_NORMAL 2u
+#define MAP_OCCLUSION 3u
+#define MAP_EMISSIVE 4u
+#define WRAP_REPEAT 0u
+#define WRAP_CLAMP 1u
+#define WRAP_MIRROR 2u
+
+// Lights: kind (number), whether fixed to the camera (number), direction to the light or place, colour times intensity,
+// reciprocal of the range (0 for none), direction of a spot, scale and offset of its cone.
+#define LIGHTS_AT 688u
+#define LIGHTS_MAX 16u
+#define LIGHT_WORDS 16u
+#define LIGHT_PLACE 2u
+#define LIGHT_COLOUR 5u
+#define LIGHT_RANGE 8u
+#define LIGHT_SPOT 9u
+#define LIGHT_CONE 12u
+#define LIGHT_DIRECTIONAL 0u
+#define LIGHT_POINT 1u
+#define LIGHT_SPOTTED 2u
+
+#define TEXELS_AT 944u
 
 #define SHADING_PHONG 0u
 #define SHADING_NORMALS 1u
 #define SHADING_WIREFRAME 2u
+#define SHADING_REFLECTION 3u
+#define SHADING_PBR 4u
+#define SHADING_DEPTH 5u
+#define SHADING_UV 6u
 
 KERNELS_BEGIN
 
@@ -117,6 +179,7 @@ STRUCT(DrawParams) {
     float cutoff;  // pixels with less alpha are dropped; 0 for none
     uint texture_width, texture_height, texture_levels;
     uint shading;
+    uint wires;  // 1: edges of triangles over the shading
     // How items share out the work.
     uint tile_count;   // tiles that have a list
     uint list_at;      // first word of the lists in `bins`

@@ -10,6 +10,7 @@
 #ifndef TESSERA_RASTER_SHADING_H
 #define TESSERA_RASTER_SHADING_H
 
+#include "raster/reflection.h"
 #include "raster/srgb.h"
 
 KERNELS_BEGIN
@@ -42,7 +43,7 @@ FUNCTION float power_600(float x) {
 /// The unit normal on the visible side, in the model's axes. A normal without length faces the viewer.
 FUNCTION Vector facing_normal(DrawParams p, Vector normal, bool back) {
     const Vector to_viewer = make_vector(p.bx * p.unscale, p.by * p.unscale, p.bz * p.unscale);
-    const Vector n = normalise(normal, make_vector(0.0f, 0.0f, 0.0f));
+    const Vector n = unit_vector(normal, make_vector(0.0f, 0.0f, 0.0f));
     const bool none = !(dot_product(n, n) > 0.0f);
     const float side = choose(back, -1.0f, 1.0f);
     return make_vector(choose(none, to_viewer.x, n.x * side), choose(none, to_viewer.y, n.y * side),
@@ -55,8 +56,8 @@ FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour b
                                        ((p.bx * normal.x + p.by * normal.y) + p.bz * normal.z) * p.unscale);
     const Vector n = flush_vector(rotated);
     const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
-    const Vector to_eye = normalise(make_vector(-camera.x, -camera.y, -camera.z), ahead);
-    const Vector halfway = normalise(add(to_light(), to_eye), ahead);
+    const Vector to_eye = unit_vector(make_vector(-camera.x, -camera.y, -camera.z), ahead);
+    const Vector halfway = unit_vector(add(to_light(), to_eye), ahead);
     const float lit = at_least(dot_product(n, to_light()), 0.0f);
     const float high = at_most(at_least(dot_product(n, halfway), 0.0f), 1.0f);
     const float shine = choose(lit > 0.0f, power_600(high), 0.0f);
@@ -76,20 +77,35 @@ FUNCTION float edge_distance(float weight, float across, float down) {
     return weight * exact_rsqrt(at_least(squared, 1e-16f));
 }
 
-/// Dark lines 1.5 pixels wide on a light fill.
-FUNCTION Colour wire_colour(Weights w, Weights across, Weights down, float alpha) {
+/// 0 on the triangle's edges, 1 beside them: lines 1.5 pixels wide.
+FUNCTION float beside_edges(Weights w, Weights across, Weights down) {
     const float a = edge_distance(w.a, across.a, down.a);
     const float b = edge_distance(w.b, across.b, down.b);
     const float c = edge_distance(w.c, across.c, down.c);
     const float nearest = at_most(at_most(a, b), c);
     const float t = at_most(at_least(nearest - 0.25f, 0.0f), 1.0f);
-    const float s = (t * t) * (3.0f - 2.0f * t);
+    return (t * t) * (3.0f - 2.0f * t);
+}
+
+/// Dark lines on a light fill.
+FUNCTION Colour wire_colour(Weights w, Weights across, Weights down, float alpha) {
+    const float s = beside_edges(w, across, down);
     Colour colour;
     colour.red = 0.02f + s * 0.78f;
     colour.green = 0.05f + s * 0.77f;
     colour.blue = 0.12f + s * 0.73f;
     colour.alpha = alpha;
     return colour;
+}
+
+/// Dark lines over a colour.
+FUNCTION Colour wires_over(Colour colour, float beside) {
+    Colour c;
+    c.red = 0.02f + beside * (colour.red - 0.02f);
+    c.green = 0.05f + beside * (colour.green - 0.05f);
+    c.blue = 0.12f + beside * (colour.blue - 0.12f);
+    c.alpha = colour.alpha;
+    return c;
 }
 
 KERNELS_END
@@ -152,28 +168,58 @@ KERNELS_END
     colour.blue = SRGB_DECODE(texels, round_to_code((normal.z * 0.5f + 0.5f) * 255.0f));  \
     colour.alpha = base.alpha;
 
+// Codes of 255 for the nearest distance down to 0 for the farthest.
+#define SHADE_DEPTH_AS_COLOUR(colour)                                                            \
+    const float distance_ahead = -weigh(inside, ca.camera.z, cb.camera.z, cc.camera.z);          \
+    const float share_of_range =                                                                 \
+        (distance_ahead - LOOK_FLOAT(texels, LOOK_DEPTH)) * LOOK_FLOAT(texels, LOOK_DEPTH + 1u); \
+    colour.red = SRGB_DECODE(texels, round_to_code(255.0f * (1.0f - share_of_range)));           \
+    colour.green = colour.red;                                                                   \
+    colour.blue = colour.red;                                                                    \
+    colour.alpha = base.alpha;
+
+// Codes are the fractions of u and v; blue marks every other unit square, as a chessboard.
+#define SHADE_UV_AS_COLOUR(colour)                                                            \
+    const float shown_u = weigh(inside, ca.u, cb.u, cc.u);                                    \
+    const float shown_v = weigh(inside, ca.v, cb.v, cc.v);                                    \
+    const int unit_u = floor_to_int(shown_u);                                                 \
+    const int unit_v = floor_to_int(shown_v);                                                 \
+    colour.red = SRGB_DECODE(texels, round_to_code(255.0f * (shown_u - to_float(unit_u))));   \
+    colour.green = SRGB_DECODE(texels, round_to_code(255.0f * (shown_v - to_float(unit_v)))); \
+    colour.blue = choose(((unit_u + unit_v) & 1) != 0, 0.25f, 0.0f);                          \
+    colour.alpha = base.alpha;
+
 // All of it, for materials that may be dropped or blended.
-#define SHADE(colour, dropped, p, triangle, back, px, py)            \
-    {                                                                \
-        SHADE_CORNERS(p, triangle, px, py)                           \
-        SHADE_INSIDE                                                 \
-        SHADE_STEPS(p, px, py)                                       \
-        if (p.texture_levels != 0u) {                                \
-            SHADE_TEXTURE(p)                                         \
-        }                                                            \
-        dropped = base.alpha < p.cutoff;                             \
-        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);  \
-        SHADE_NORMAL(p, back)                                        \
-        if (p.shading == SHADING_WIREFRAME) {                        \
-            colour = wire_colour(weights, across, down, base.alpha); \
-        } else if (p.shading == SHADING_NORMALS) {                   \
-            SHADE_NORMAL_AS_COLOUR(colour)                           \
-        } else {                                                     \
-            SHADE_PHONG(colour, p)                                   \
-        }                                                            \
-        colour.red = colour.red * colour.alpha;                      \
-        colour.green = colour.green * colour.alpha;                  \
-        colour.blue = colour.blue * colour.alpha;                    \
+#define SHADE(colour, dropped, p, triangle, back, px, py)                     \
+    {                                                                         \
+        SHADE_CORNERS(p, triangle, px, py)                                    \
+        SHADE_INSIDE                                                          \
+        SHADE_STEPS(p, px, py)                                                \
+        if (p.texture_levels != 0u) {                                         \
+            SHADE_TEXTURE(p)                                                  \
+        }                                                                     \
+        dropped = base.alpha < p.cutoff;                                      \
+        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);           \
+        SHADE_NORMAL(p, back)                                                 \
+        if (p.shading == SHADING_WIREFRAME) {                                 \
+            colour = wire_colour(weights, across, down, base.alpha);          \
+        } else if (p.shading == SHADING_NORMALS) {                            \
+            SHADE_NORMAL_AS_COLOUR(colour)                                    \
+        } else if (p.shading == SHADING_REFLECTION) {                         \
+            SHADE_REFLECTION(colour, p)                                       \
+        } else if (p.shading == SHADING_DEPTH) {                              \
+            SHADE_DEPTH_AS_COLOUR(colour)                                     \
+        } else if (p.shading == SHADING_UV) {                                 \
+            SHADE_UV_AS_COLOUR(colour)                                        \
+        } else {                                                              \
+            SHADE_PHONG(colour, p)                                            \
+        }                                                                     \
+        if (p.wires != 0u) {                                                  \
+            colour = wires_over(colour, beside_edges(weights, across, down)); \
+        }                                                                     \
+        colour.red = colour.red * colour.alpha;                               \
+        colour.green = colour.green * colour.alpha;                           \
+        colour.blue = colour.blue * colour.alpha;                             \
     }
 
 #endif

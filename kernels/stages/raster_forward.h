@@ -3,9 +3,15 @@
 #include "raster/shading.h"
 #include "raster/tile.h"
 
+// Included once more for metallic-roughness materials, with steps of their own.
+#ifndef FORWARD_NAME
+#define FORWARD_NAME raster_forward
+#define FORWARD_SHADE SHADE
+#endif
+
 KERNELS_BEGIN
 
-KERNEL9(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), READ(3, float, vertices),
+KERNEL9(FORWARD_NAME, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), READ(3, float, vertices),
         READ(4, uint, indices), READ(5, uint, texels), WRITE(6, uint, depths), WRITE(7, uint, colours),
         UNIFORM(8, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
@@ -68,7 +74,8 @@ KERNEL9(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint
                             continue;
                         }
                         if (!shaded) {
-                            SHADE(colour, dropped, p, triangle, (t.flags & TRIANGLE_BACK) != 0u, to_uint(x), to_uint(y))
+                            FORWARD_SHADE(colour, dropped, p, triangle, (t.flags & TRIANGLE_BACK) != 0u, to_uint(x),
+                                          to_uint(y))
                             shaded = true;
                         }
                         if (dropped) {
@@ -94,3 +101,6 @@ KERNEL9(raster_forward, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint
 }
 
 KERNELS_END
+
+#undef FORWARD_NAME
+#undef FORWARD_SHADE

@@ -6,6 +6,7 @@
 #include "cli/hair_words.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
+#include "cli/look_options.hpp"
 #include "cli/picture_output.hpp"
 #include "cli/progress.hpp"
 #include "image/panels.hpp"
@@ -30,7 +31,7 @@ struct Words {
     HairWords hair;
     std::string size = "1024x1024";
     CameraWords camera;
-    std::string shading = "phong";
+    LookWords look;
     std::string raster = "auto";
     std::uint32_t samples = 4;
     bool transparent = false;
@@ -58,14 +59,6 @@ std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
                             words));
 }
 
-render::Shading parse_shading(const std::string& name) {
-    if (name == "phong") return render::Shading::phong;
-    if (name == "normals") return render::Shading::normals;
-    if (name == "wireframe") return render::Shading::wireframe;
-    throw Error(ErrorKind::usage,
-                fmt::format("There is no shading named \"{}\"; choose phong, normals or wireframe.", name));
-}
-
 /// A part of the picture, with a surface of its own.
 struct Cell {
     std::string scheme;
@@ -80,7 +73,8 @@ std::vector<Cell> make_cells(const Words& words, const gpu::Device& device, cons
     for (const std::string& scheme : schemes) {
         JobWords job = words.job;
         job.scheme = scheme;
-        cells.push_back({scheme, std::make_unique<SceneTessellator>(device, patches, resolve(job, patches), hair, hair_options)});
+        cells.push_back(
+            {scheme, std::make_unique<SceneTessellator>(device, patches, resolve(job, patches), hair, hair_options)});
     }
     return cells;
 }
@@ -129,13 +123,23 @@ image::Image draw(std::vector<Cell>& cells, const render::Frame& frame, const sc
 
 /// The device's own rasteriser where it has one that can draw the frame, the portable one elsewhere, unless told.
 std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, const gpu::Device& device,
-                                                    std::uint32_t samples) {
+                                                    const render::Frame& frame, const Context& context) {
     const bool has_own = device.info().rasteriser;
     if (which == "device" && !has_own) {
         throw Error(ErrorKind::usage,
                     fmt::format("{} has no rasteriser of its own; choose --raster portable.", device.info().id));
     }
-    if (which == "device" || (which == "auto" && has_own && samples == 4)) {
+    const bool common = render::is_common(frame);
+    if (which == "device" && !common) {
+        throw Error(ErrorKind::usage,
+                    "--raster device draws --shading phong, normals and wireframe without a preset, and the views "
+                    "shaded and normals; leave --raster out for the rest.");
+    }
+    if (which == "auto" && has_own && !common) {
+        say(context, fmt::format("The rasteriser of {} does not draw this shading or view: the portable one does.",
+                                 device.info().id));
+    }
+    if (which == "device" || (which == "auto" && has_own && frame.samples == 4 && common)) {
         return backends::open_rasteriser(device.info().id);
     }
     return raster::open_portable(device);
@@ -144,24 +148,24 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, co
 int run(const Context& context, const Words& words) {
     render::Frame frame;
     std::tie(frame.width, frame.height) = parse_size(words.size);
-    frame.shading = parse_shading(words.shading);
     frame.samples = words.samples;
     if (words.transparent) {
         frame.background = glm::vec4(0.0f);
     }
-    scene::Scene scene = load(context, words.input, words.load);
+    scene::Scene scene = load(context, words.input, words.load, needs_all_maps(words.look));
     const render::CameraChoice camera = resolve(words.camera, scene);
     // What blends is drawn last, over what is behind it.
     std::stable_partition(scene.meshes.begin(), scene.meshes.end(), [&](const scene::Mesh& mesh) {
         return scene.materials[mesh.material].alpha_mode != scene::AlphaMode::blend;
     });
     const patches::PatchSet patches = surface_patches(scene);
+    apply(words.look, scene, patches.exponent, frame);
     const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
     const HairOptions hair_options = resolve_hair(words.hair, Ribbons::camera, words.job.memory_budget);
     PictureOutput output = make_output(words);
     gpu::Device device = backends::open_device(words.device);
     std::vector<Cell> cells = make_cells(words, device, patches, hair, hair_options);
-    const auto rasteriser = open_rasteriser(words.raster, device, words.samples);
+    const auto rasteriser = open_rasteriser(words.raster, device, frame, context);
 
     const std::uint32_t frames = std::max(words.turntable, 1u);
     Progress progress("rendering", context.quiet);
@@ -176,6 +180,7 @@ int run(const Context& context, const Words& words) {
     const bool facing = hair_options.ribbons == Ribbons::camera && words.hair.eye.empty();
     for (std::uint32_t i = 0; i < frames; ++i) {
         frame.camera = survey.camera(2.0 * std::numbers::pi * i / frames);
+        set_depth_range(render::bounds_of(patches.control_vertices), frame);
         for (Cell& cell : cells) {
             if (facing) cell.tessellator->face(frame.camera.eye);
         }
@@ -212,7 +217,7 @@ void add_render_command(CLI::App& app, Context& context) {
     command->add_option("--size", words->size, "WIDTHxHEIGHT in pixels, up to 8192x8192; of each scheme with --compare")
         ->capture_default_str();
     add_camera_options(*command, words->camera);
-    command->add_option("--shading", words->shading, "phong, normals or wireframe")->capture_default_str();
+    add_look_options(*command, words->look);
     command
         ->add_option("--raster", words->raster,
                      "What draws: device (the GPU's own rasteriser), portable (kernels, the same bits on every device) "

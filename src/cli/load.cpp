@@ -28,8 +28,8 @@ void add_load_options(CLI::App& command, LoadWords& words) {
                      "cracks");
 }
 
-scene::Scene load(const Context& context, const std::string& input, const LoadWords& words) {
-    scene::Scene scene = scene::load_scene(input, {ngons_from_name(words.ngons), words.smooth_normals});
+scene::Scene load(const Context& context, const std::string& input, const LoadWords& words, bool all_maps) {
+    scene::Scene scene = scene::load_scene(input, {ngons_from_name(words.ngons), words.smooth_normals, all_maps});
     for (const std::string& message : scene.messages) {
         say(context, message);
     }

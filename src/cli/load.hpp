@@ -17,8 +17,9 @@ struct LoadWords {
 
 void add_load_options(CLI::App& command, LoadWords& words);
 
-/// Throws Error(usage) for words that make no sense and for files that cannot be read.
-scene::Scene load(const Context& context, const std::string& input, const LoadWords& words);
+/// `all_maps` as in scene::LoadOptions. Throws Error(usage) for words that make no sense and for files that cannot be
+/// read.
+scene::Scene load(const Context& context, const std::string& input, const LoadWords& words, bool all_maps = false);
 
 /// Reads a PNG or JPEG file. Throws Error(usage).
 image::Image load_picture(const std::string& path);

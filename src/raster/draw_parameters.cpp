@@ -54,13 +54,28 @@ kernels::DrawParams frame_parameters(const render::Frame& frame) {
         case render::Shading::wireframe:
             p.shading = SHADING_WIREFRAME;
             break;
+        case render::Shading::reflection:
+            p.shading = SHADING_REFLECTION;
+            break;
+        case render::Shading::pbr:
+            p.shading = SHADING_PBR;
+            break;
+        case render::Shading::depth:
+            p.shading = SHADING_DEPTH;
+            break;
+        case render::Shading::uv:
+            p.shading = SHADING_UV;
+            break;
     }
+    p.wires = frame.wires ? 1 : 0;
     return p;
 }
 
 void set_material(kernels::DrawParams& params, const scene::Material& material, const TexelBuffer& texture) {
     params.cull = material.double_sided ? 0 : 1;
-    params.keeps_alpha = material.alpha_mode == scene::AlphaMode::blend && params.shading != SHADING_WIREFRAME ? 1 : 0;
+    const bool shows_data =
+        params.shading == SHADING_WIREFRAME || params.shading == SHADING_DEPTH || params.shading == SHADING_UV;
+    params.keeps_alpha = material.alpha_mode == scene::AlphaMode::blend && !shows_data ? 1 : 0;
     params.cutoff = material.alpha_mode == scene::AlphaMode::mask ? material.alpha_cutoff : 0.0f;
     params.red = sound(material.base_color.r);
     params.green = sound(material.base_color.g);

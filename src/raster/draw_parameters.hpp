@@ -11,7 +11,7 @@ namespace tessera::raster {
 /// precision, once.
 kernels::DrawParams frame_parameters(const render::Frame& frame);
 
-/// Sets the material. The wireframe shows every material opaque.
+/// Sets the material. Wireframe, depth and texture coordinates show every material opaque.
 void set_material(kernels::DrawParams& params, const scene::Material& material, const TexelBuffer& texture);
 
 /// True for what must be drawn triangle after triangle: masks, for the depth of what they drop, and blending.

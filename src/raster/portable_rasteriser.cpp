@@ -1,6 +1,7 @@
 #include "raster/portable_rasteriser.hpp"
 
 #include "base/error.hpp"
+#include "raster/look.hpp"
 #include "raster/raster_pipeline.hpp"
 #include "raster/srgb_tables.hpp"
 
@@ -51,6 +52,8 @@ public:
         }
         pipeline_.begin(windows_, samples, packed(frame.background));
         frame_ = frame_parameters(frame);
+        look_ = make_look(frame);
+        textures_for_ = frame.shading == render::Shading::pbr ? TexturesFor::pbr : TexturesFor::base_colours;
         materials_.clear();
         state_ = State::begun;
     }
@@ -58,7 +61,7 @@ public:
     void set_materials(const std::vector<scene::Material>& materials,
                        const std::vector<scene::SceneImage>& images) override {
         require(State::begun, "set_materials", "begin");
-        textures_.upload(materials, images);
+        textures_.upload(materials, images, look_, textures_for_);
         materials_ = materials;
         state_ = State::drawing;
     }
@@ -74,7 +77,7 @@ public:
             throw Error(ErrorKind::usage,
                         fmt::format("A draw has {} indices, which is no multiple of 3.", indices.size()));
         }
-        const TexelBuffer& texture = textures_.of(materials_[material]);
+        const TexelBuffer& texture = textures_.of(material);
         kernels::DrawParams params = frame_;
         set_material(params, materials_[material], texture);
         while (!indices.empty()) {
@@ -124,6 +127,8 @@ private:
     std::vector<RasterWindow> windows_;
     std::uint32_t width_ = 0, height_ = 0, samples_ = 0;
     kernels::DrawParams frame_{};
+    Look look_{};
+    TexturesFor textures_for_ = TexturesFor::base_colours;
     std::vector<scene::Material> materials_;
     State state_ = State::idle;
 };

@@ -15,6 +15,10 @@ constexpr std::uint32_t first_list_words = 1u << 20;
 std::string_view shade_kernel(const kernels::DrawParams& params) {
     if (params.shading == SHADING_NORMALS) return "raster_shade_normals";
     if (params.shading == SHADING_WIREFRAME) return "raster_shade_wireframe";
+    if (params.shading == SHADING_REFLECTION) return "raster_shade_reflection";
+    if (params.shading == SHADING_PBR) return "raster_shade_pbr";
+    if (params.shading == SHADING_DEPTH) return "raster_shade_depth";
+    if (params.shading == SHADING_UV) return "raster_shade_uv";
     return params.texture_levels != 0 ? "raster_shade_textured" : "raster_shade_plain";
 }
 
@@ -113,7 +117,7 @@ const Stage& RasterPipeline::shade_stage(std::size_t window, std::string_view ke
     if (is_new) {
         const RasterWindow& w = (*windows_)[window];
         found->second =
-            kernel == "raster_forward"
+            kernel.starts_with("raster_forward")
                 ? Stage(device_, kernel,
                         {bins_, bounds_, records_, vertices_, indices_, texture.buffer, w.depths, w.colours},
                         parameters_)
@@ -217,7 +221,8 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
         reserve_lists(window.tiles(), listed);
         params.tile_count = upload_starts();
         const bool in_order = is_drawn_in_order(params);
-        const Stage& raster = in_order ? shade_stage(number, "raster_forward", texture) : cover_stage(number);
+        const std::string_view forward = params.shading == SHADING_PBR ? "raster_forward_pbr" : "raster_forward";
+        const Stage& raster = in_order ? shade_stage(number, forward, texture) : cover_stage(number);
         const std::uint64_t items = std::uint64_t{params.tile_count} << (params.spread_log2 + params.parts_log2);
         const std::uint32_t longest = *std::ranges::max_element(tile_totals_);
         is_visible_clear_ = in_order && is_visible_clear_;  // until shading is on its way

@@ -34,7 +34,7 @@ std::uint32_t encode_srgb(double linear) {
 }
 
 std::vector<std::uint32_t> make_srgb_tables() {
-    std::vector<std::uint32_t> words(TEXELS_AT);
+    std::vector<std::uint32_t> words(LOOK_AT);
     for (std::uint32_t code = 0; code < 256; ++code) {
         words[SRGB_DECODE_AT + code] = bits(decoded(code / 255.0));
     }

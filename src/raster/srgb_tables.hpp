@@ -7,7 +7,7 @@
 namespace tessera::raster {
 
 /// What every texture buffer begins with (SRGB_DECODE_AT and SRGB_ENCODE_AT of kernels/raster/raster_layout.h), as the
-/// bits of floats; TEXELS_AT words, those of the mip levels zero.
+/// bits of floats; LOOK_AT words, those of the mip levels zero.
 std::vector<std::uint32_t> make_srgb_tables();
 
 /// The 8-bit sRGB code nearest to linear light in [0, 1].

@@ -7,12 +7,44 @@
 #include "scene/scene.hpp"
 #include "tessellate/refined_mesh.hpp"
 
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
 namespace tessera::render {
 
 enum class Shading {
     phong,      ///< Blinn-Phong with the light and material constants of the literature; base colour and texture
     normals,    ///< the interpolated normal as a colour
     wireframe,  ///< triangle edges over a flat fill
+    // Of the portable rasteriser alone:
+    reflection,  ///< Frame::reflection
+    pbr,         ///< metallic-roughness materials of glTF under Frame::lights and a sky; linear light, tone curve
+    depth,       ///< distance from the camera's plane, white to black over Frame::depth_range
+    uv,          ///< texture coordinates
+};
+
+/// Phong's model, or Blinn's.
+struct Reflection {
+    bool half_vector = true;  ///< Blinn's; false: Phong's reflected ray
+    float ambient = 0.4f, diffuse = 0.5f, specular = 0.3f;
+    float shininess = 150.0f;  ///< (0, 2^20]
+    /// In camera space: the direction to the light, or its place from the model's origin in the units in which the
+    /// model's largest coordinate lies in [1, 2).
+    glm::vec3 light{-0.379049021f, 0.530668616f, 0.758098043f};
+    bool light_is_place = false;
+    std::optional<glm::vec3> colour;  ///< instead of the materials', linear
+};
+
+/// From light to what a screen shows.
+enum class ToneCurve {
+    none,  ///< what is above 1 is white
+    aces,  ///< Narkowicz's fit of the ACES curve
+};
+
+/// Light that comes from everywhere, by height: linear colours.
+struct Sky {
+    glm::vec3 zenith{0.30f, 0.42f, 0.62f}, horizon{0.72f, 0.71f, 0.68f}, ground{0.13f, 0.115f, 0.105f};
 };
 
 /// The picture to be made.
@@ -24,7 +56,21 @@ struct Frame {
     /// Linear RGBA, not premultiplied; alpha 0 is transparent. The default is a light neutral grey, sRGB (244, 245,
     /// 247).
     glm::vec4 background{0.905f, 0.913f, 0.930f, 1.0f};
+    // What follows is drawn by the portable rasteriser alone.
+    bool wires = false;  ///< edges of triangles over the shading
+    Reflection reflection;
+    std::vector<scene::Light> lights;  ///< in the model's kernel space; up to 16
+    Sky sky;
+    ToneCurve tone_curve = ToneCurve::none;
+    float exposure = 1.0f;              ///< what light is multiplied by before the tone curve
+    glm::vec2 depth_range{0.0f, 1.0f};  ///< distances in camera space that are white and black
 };
+
+/// True for what a device's own rasteriser draws too.
+inline bool is_common(const Frame& frame) {
+    return !frame.wires && (frame.shading == Shading::phong || frame.shading == Shading::normals ||
+                            frame.shading == Shading::wireframe);
+}
 
 /// Draws into one image with depth. Call order: begin, set_materials once, draw any number of times,
 /// finish.

@@ -13,6 +13,9 @@ namespace {
 constexpr std::int64_t int_max = JsonObject::int_max;
 constexpr std::array<std::string_view, 3> supported_extensions{"FB_ngon_encoding", "KHR_mesh_quantization",
                                                                "KHR_texture_transform"};
+// Of metallic-roughness shading.
+constexpr std::array<std::string_view, 3> extensions_of_light{"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                                              "KHR_materials_unlit"};
 
 struct Sizes {
     std::size_t accessors, buffers, buffer_views, cameras, images, materials, meshes, nodes, samplers, scenes, skins,
@@ -28,9 +31,11 @@ void check_asset(JsonObject& asset) {
     if (const auto version = asset.string("minVersion")) supported("minVersion", *version, true);
 }
 
-void check_extensions(JsonObject& root, Diagnostics& diagnostics) {
-    const auto supported = [](const std::string& name) {
-        return std::find(supported_extensions.begin(), supported_extensions.end(), name) != supported_extensions.end();
+void check_extensions(JsonObject& root, Diagnostics& diagnostics, bool all_maps) {
+    const auto supported = [all_maps](const std::string& name) {
+        const auto is_name = [&](std::string_view known) { return known == name; };
+        return std::ranges::any_of(supported_extensions, is_name) ||
+               (all_maps && std::ranges::any_of(extensions_of_light, is_name));
     };
     for (const std::string& name : root.strings("extensionsRequired")) {
         if (!supported(name)) {
@@ -142,32 +147,57 @@ CameraSource read_camera(JsonObject& camera) {
     return source;
 }
 
-void check_material(JsonObject& material, const Sizes& sizes, Diagnostics& diagnostics) {
+void check_texture(JsonObject& info, const Sizes& sizes) {
+    info.reference("index", sizes.textures, Need::required);
+    info.integer("texCoord", 0, int_max);
+    info.number("scale");
+    info.number("strength");
+    info.object("extensions", [&](JsonObject& extensions) {
+        extensions.object("KHR_texture_transform", [&](JsonObject& transform) {
+            transform.numbers("offset", 2);
+            transform.numbers("scale", 2);
+            transform.number("rotation");
+            transform.integer("texCoord", 0, int_max);
+        });
+    });
+}
+
+/// What metallic-roughness shading looks at.
+void check_maps(JsonObject& material, const Sizes& sizes) {
+    const auto texture = [&](JsonObject& info) { check_texture(info, sizes); };
+    material.object("normalTexture", texture);
+    material.object("occlusionTexture", texture);
+    material.object("emissiveTexture", texture);
+    material.numbers("emissiveFactor", 3);
+    material.object("extensions", [](JsonObject& extensions) {
+        extensions.object("KHR_materials_unlit", [](JsonObject&) {});
+        extensions.object("KHR_materials_emissive_strength",
+                          [](JsonObject& emissive) { emissive.number("emissiveStrength"); });
+    });
+}
+
+void check_material(JsonObject& material, const Sizes& sizes, Diagnostics& diagnostics, bool all_maps) {
     bool more = material.has("normalTexture") || material.has("occlusionTexture") || material.has("emissiveTexture");
     material.string("name");
     material.object("pbrMetallicRoughness", [&](JsonObject& pbr) {
         more = more || pbr.has("metallicRoughnessTexture");
         pbr.numbers("baseColorFactor", 4);
-        pbr.object("baseColorTexture", [&](JsonObject& info) {
-            info.reference("index", sizes.textures, Need::required);
-            info.integer("texCoord", 0, int_max);
-            info.object("extensions", [&](JsonObject& extensions) {
-                extensions.object("KHR_texture_transform", [&](JsonObject& transform) {
-                    transform.numbers("offset", 2);
-                    transform.numbers("scale", 2);
-                    transform.number("rotation");
-                    transform.integer("texCoord", 0, int_max);
-                });
-            });
-        });
+        pbr.object("baseColorTexture", [&](JsonObject& info) { check_texture(info, sizes); });
+        if (all_maps) {
+            pbr.number("metallicFactor");
+            pbr.number("roughnessFactor");
+            pbr.object("metallicRoughnessTexture", [&](JsonObject& info) { check_texture(info, sizes); });
+        }
     });
+    if (all_maps) check_maps(material, sizes);
     if (const auto mode = material.string("alphaMode");
         mode && *mode != "OPAQUE" && *mode != "MASK" && *mode != "BLEND") {
         material.refuse("alphaMode", "is " + in_quotes(*mode) + ", but must be OPAQUE, MASK or BLEND");
     }
     material.number("alphaCutoff");
     material.boolean("doubleSided");
-    if (more) diagnostics.note("Of the materials, only base colours are used: other textures are ignored.");
+    if (more && !all_maps)
+        diagnostics.note("Of the materials, only base colours are used: other textures are ignored.");
 }
 
 void check_images_and_buffers(JsonObject& root, const Sizes& sizes, CheckedJson& checked) {
@@ -200,11 +230,11 @@ void note_what_is_not_read(JsonObject& root, Diagnostics& diagnostics) {
 
 }  // namespace
 
-CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics) {
+CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics, bool all_maps) {
     CheckedJson checked;
     JsonObject root(document, checked.json, "", diagnostics);
     root.object("asset", check_asset, Need::required);
-    check_extensions(root, diagnostics);
+    check_extensions(root, diagnostics, all_maps);
     const Sizes sizes{root.size_of("accessors"), root.size_of("buffers"), root.size_of("bufferViews"),
                       root.size_of("cameras"),   root.size_of("images"),  root.size_of("materials"),
                       root.size_of("meshes"),    root.size_of("nodes"),   root.size_of("samplers"),
@@ -214,7 +244,7 @@ CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics)
     check_images_and_buffers(root, sizes, checked);
     root.objects("bufferViews", [&](JsonObject& view) { check_buffer_view(view, sizes); });
     root.objects("cameras", [&](JsonObject& camera) { checked.cameras.push_back(read_camera(camera)); });
-    root.objects("materials", [&](JsonObject& material) { check_material(material, sizes, diagnostics); });
+    root.objects("materials", [&](JsonObject& material) { check_material(material, sizes, diagnostics, all_maps); });
     root.objects("meshes", [&](JsonObject& mesh) {
         mesh.string("name");
         if (!mesh.has("primitives")) mesh.refuse("primitives", "is missing");

@@ -49,10 +49,12 @@ struct Document {
     std::vector<CameraSource> cameras;
     std::filesystem::path folder;
     Diagnostics& diagnostics;
+    bool all_maps = false;  ///< LoadOptions::all_maps
 };
 
-/// Checks everything that can be checked in the JSON text alone, and the extensions. Throws Error(usage).
-CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics);
+/// Checks everything that can be checked in the JSON text alone, and the extensions. What only `all_maps` wants is not
+/// looked at without it. Throws Error(usage).
+CheckedJson check_json(const nlohmann::json& document, Diagnostics& diagnostics, bool all_maps = false);
 
 /// Lets tinygltf make its typed model of checked JSON. Throws Error(usage) if it will not.
 tinygltf::Model parse_model(const nlohmann::json& checked, const Diagnostics& diagnostics);

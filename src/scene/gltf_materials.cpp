@@ -2,6 +2,7 @@
 
 #include "scene/file_bytes.hpp"
 #include "scene/gltf_accessor.hpp"
+#include "scene/gltf_maps.hpp"
 #include "scene/image_store.hpp"
 #include "scene/limits.hpp"
 #include "scene/uri.hpp"
@@ -64,13 +65,6 @@ float unit_range(const Document& document, double value, const std::string& elem
     return static_cast<float>(std::clamp(value, 0.0, 1.0));
 }
 
-const tinygltf::TextureInfo* base_texture(const Document& document, int material) {
-    if (material < 0) return nullptr;
-    const auto& info =
-        document.model.materials[static_cast<std::size_t>(material)].pbrMetallicRoughness.baseColorTexture;
-    return info.index < 0 ? nullptr : &info;
-}
-
 }  // namespace
 
 void load_materials(const Document& document, Scene& scene) {
@@ -86,15 +80,15 @@ void load_materials(const Document& document, Scene& scene) {
                 unit_range(document, from.pbrMetallicRoughness.baseColorFactor[static_cast<std::size_t>(c)],
                            element + ".pbrMetallicRoughness.baseColorFactor");
         }
-        if (const auto* info = base_texture(document, static_cast<int>(i))) {
-            const int source = model.textures[static_cast<std::size_t>(info->index)].source;
-            if (source >= 0) {
-                material.base_color_image = images.load(source);
-            } else {
-                document.diagnostics.note(
-                    fmt::format("textures[{}] has no PNG or JPEG image: it is left out.", info->index));
-            }
-        }
+        const auto load = [&](int texture) -> std::optional<std::uint32_t> {
+            const int source = model.textures[static_cast<std::size_t>(texture)].source;
+            if (source >= 0) return images.load(source);
+            document.diagnostics.note(fmt::format("textures[{}] has no PNG or JPEG image: it is left out.", texture));
+            return std::nullopt;
+        };
+        const int base = from.pbrMetallicRoughness.baseColorTexture.index;
+        if (base >= 0) material.base_color_image = load(base);
+        if (document.all_maps) load_maps(document, static_cast<int>(i), load, material);
         if (from.alphaMode == "MASK") material.alpha_mode = AlphaMode::mask;
         if (from.alphaMode == "BLEND") material.alpha_mode = AlphaMode::blend;
         material.alpha_cutoff = unit_range(document, from.alphaCutoff, element + ".alphaCutoff");
@@ -108,39 +102,9 @@ void load_materials(const Document& document, Scene& scene) {
     if (scene.materials.empty() || std::any_of(model.meshes.begin(), model.meshes.end(), lacks_one)) {
         Material plain;
         plain.name = "default";
+        plain.metallic = plain.roughness = 1.0f;
         scene.materials.push_back(std::move(plain));
     }
-}
-
-UvSource uv_source(const Document& document, int material) {
-    UvSource source;
-    const auto* info = base_texture(document, material);
-    if (info == nullptr) return source;
-    source.textured = true;
-    source.set = info->texCoord;
-    const int sampler = document.model.textures[static_cast<std::size_t>(info->index)].sampler;
-    if (sampler >= 0) {
-        const auto& s = document.model.samplers[static_cast<std::size_t>(sampler)];
-        source.repeats = s.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && s.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
-    }
-    const auto extension = info->extensions.find("KHR_texture_transform");
-    if (extension == info->extensions.end()) return source;
-    const tinygltf::Value& value = extension->second;
-    const auto pair = [&](const char* key, double otherwise) {
-        if (!value.Has(key)) return glm::dvec2(otherwise);
-        const auto& array = value.Get(key);
-        return glm::dvec2(array.Get(0).GetNumberAsDouble(), array.Get(1).GetNumberAsDouble());
-    };
-    if (value.Has("texCoord")) source.set = value.Get("texCoord").GetNumberAsInt();
-    const glm::dvec2 offset = pair("offset", 0.0);
-    const glm::dvec2 scale = pair("scale", 1.0);
-    const double angle = value.Has("rotation") ? value.Get("rotation").GetNumberAsDouble() : 0.0;
-    // Translation * rotation * scale. The angle turns counter-clockwise as seen, and v points down.
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    source.transform =
-        glm::dmat3(c * scale.x, -s * scale.x, 0.0, s * scale.y, c * scale.y, 0.0, offset.x, offset.y, 1.0);
-    return source;
 }
 
 }  // namespace tessera::scene

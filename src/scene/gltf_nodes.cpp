@@ -128,6 +128,7 @@ NodeGraph flatten_nodes(const Document& document) {
         if (nodes[i].camera >= 0) graph.cameras.push_back(node);
         return true;
     });
+    graph.shown = std::move(visited);
     return graph;
 }
 

@@ -12,6 +12,7 @@ struct NodeGraph {
     std::vector<glm::dmat4> world;  ///< of every node, its ancestors included
     std::vector<int> drawn;         ///< nodes with a mesh in the scene shown, depth first, each once
     std::vector<int> cameras;       ///< likewise, nodes with a camera
+    std::vector<bool> shown;        ///< of every node, whether it is in the scene shown
 };
 
 /// Takes the default scene, else the first one, else all nodes without a parent. Refuses cycles and nodes with two

@@ -2,7 +2,7 @@
 
 #include "scene/gltf_accessor.hpp"
 #include "scene/gltf_guides.hpp"
-#include "scene/gltf_materials.hpp"
+#include "scene/gltf_maps.hpp"
 #include "scene/gltf_shape_tags.hpp"
 
 #include <fmt/format.h>

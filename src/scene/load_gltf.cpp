@@ -6,6 +6,7 @@
 #include "scene/gltf_container.hpp"
 #include "scene/gltf_document.hpp"
 #include "scene/gltf_guides.hpp"
+#include "scene/gltf_lights.hpp"
 #include "scene/gltf_materials.hpp"
 #include "scene/gltf_ngons.hpp"
 #include "scene/gltf_skin.hpp"
@@ -222,12 +223,13 @@ private:
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path, bool all_maps) {
     Diagnostics diagnostics(path.string());
     const FileBytes file = read_file(path, max_file_bytes);
     if (file.problem) diagnostics.refuse("the file", *file.problem);
     const Container container = open_container(file.bytes, diagnostics);
-    const CheckedJson checked = check_json(parse_json(container.json, diagnostics), diagnostics);
+    const nlohmann::json json = parse_json(container.json, diagnostics);
+    const CheckedJson checked = check_json(json, diagnostics, all_maps);
 
     std::vector<std::vector<std::byte>> storage;
     auto buffers = load_buffers(checked.buffers, container.binary, path.parent_path(), storage, diagnostics);
@@ -236,7 +238,8 @@ Scene load_gltf(const std::filesystem::path& path) {
                             checked.images,
                             checked.cameras,
                             path.parent_path(),
-                            diagnostics};
+                            diagnostics,
+                            all_maps};
     check_model(document);
     const NodeGraph graph = flatten_nodes(document);
 
@@ -244,6 +247,7 @@ Scene load_gltf(const std::filesystem::path& path) {
     scene.source = path.string();
     load_materials(document, scene);
     load_cameras(document, graph, scene);
+    if (all_maps) load_lights(json, document, graph, scene);
     Assembly assembly(document, graph, scene);
     assembly.add_nodes();
     assembly.note_topology();

@@ -8,6 +8,6 @@
 namespace tessera::scene {
 
 /// See load_scene. GLB and text are told apart by content.
-Scene load_gltf(const std::filesystem::path& path);
+Scene load_gltf(const std::filesystem::path& path, bool all_maps = false);
 
 }  // namespace tessera::scene

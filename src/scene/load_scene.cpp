@@ -24,7 +24,7 @@ Scene load_as_given(const std::string& name, const LoadOptions& options) {
     if (is_shape(name)) return make_shape(name);
     const std::filesystem::path path(name);
     const std::string extension = lower_case_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options.all_maps);
     if (extension == ".obj") return load_obj(path, options);
     throw Error(ErrorKind::usage, fmt::format("{}: the extension {} is not known; .gltf, .glb and .obj files and "
                                               "shape:NAME can be read.",

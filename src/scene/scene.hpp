@@ -14,6 +14,27 @@ namespace tessera::scene {
 
 enum class AlphaMode { opaque, mask, blend };
 
+/// What becomes of texture coordinates outside [0, 1].
+enum class Wrap { repeat, clamp, mirror };
+
+/// An image on a surface.
+struct Map {
+    std::uint32_t image = 0;  ///< index into Scene::images
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    /// Its coordinates are this times (u, v, 1) of Mesh::uvs.
+    glm::mat3 transform{1.0f};
+};
+
+/// The maps of a metallic-roughness material besides its base colour; see LoadOptions::all_maps.
+struct Maps {
+    std::optional<Map> metallic_roughness;  ///< blue and green
+    std::optional<Map> normal;
+    std::optional<Map> occlusion;  ///< red
+    std::optional<Map> emissive;   ///< sRGB
+    float normal_scale = 1.0f;
+    float occlusion_strength = 1.0f;  ///< [0, 1]
+};
+
 struct Material {
     std::string name;
     glm::vec4 base_color{1.0f};                     ///< linear RGBA factor
@@ -21,6 +42,24 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
+    // What only metallic-roughness shading looks at.
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;  ///< of the base colour's image
+    float metallic = 0.0f, roughness = 0.5f;            ///< [0, 1]
+    glm::vec3 emissive{0.0f};                           ///< linear
+    bool unlit = false;                                 ///< KHR_materials_unlit: the base colour is what is seen
+    Maps maps;
+};
+
+/// A light of KHR_lights_punctual, in world space.
+struct Light {
+    enum class Kind { directional, point, spot };
+    Kind kind = Kind::directional;
+    bool fixed_to_camera = false;                 ///< directional: the direction is one of camera space
+    glm::vec3 direction{0.0f, 0.0f, 1.0f};        ///< unit: directional towards the light, spot the way it shines
+    glm::vec3 place{0.0f};                        ///< of the others
+    glm::vec3 intensity{1.0f};                    ///< colour times lux (directional) or candela
+    float range = 0.0f;                           ///< where it ends; 0 for nowhere
+    float cone_scale = 0.0f, cone_offset = 1.0f;  ///< of a spot, as the extension's formula for attenuation has them
 };
 
 /// An image as it stood in the file (for writing it out again) and decoded.
@@ -107,6 +146,7 @@ struct Scene {
     std::vector<Material> materials;  ///< at least one
     std::vector<SceneImage> images;
     std::vector<Camera> cameras;        ///< in node order
+    std::vector<Light> lights;          ///< likewise; only with LoadOptions::all_maps
     std::vector<std::string> messages;  ///< what was skipped or repaired, a sentence each
 };
 
@@ -126,6 +166,8 @@ struct LoadOptions {
     /// Replaces all normals by angle-weighted ones over the whole scene, welded by position: hard edges become round,
     /// and a closed model stays closed under every scheme.
     bool smooth_normals = false;
+    /// Loads what metallic-roughness shading needs besides the base colours: the other maps, factors and the lights.
+    bool all_maps = false;
 };
 
 /// Loads `name`: a .gltf or .glb file (glTF 2.0), a .obj file (Wavefront, polygons), or a built-in shape (see
@@ -136,9 +178,9 @@ struct LoadOptions {
 /// pose. Triangles that FB_ngon_encoding marks as two halves of a quad become a quad. Normals that the file gives are
 /// kept (made unit); those it does not give are angle-weighted over all faces of the node at the same position. Left
 /// out, counted in messages: triangles that name a vertex twice or have a position that is not finite. Kept, and
-/// counted: triangles without area, edges of more than two faces of a node, vertices that no triangle uses. Line strips,
-/// and lines whose segments follow one another, are guide curves of hair; their full width is the attribute _WIDTH (a
-/// float each, in the mesh's units), and their normals, where given, shade the hair.
+/// counted: triangles without area, edges of more than two faces of a node, vertices that no triangle uses. Line
+/// strips, and lines whose segments follow one another, are guide curves of hair; their full width is the attribute
+/// _WIDTH (a float each, in the mesh's units), and their normals, where given, shade the hair.
 ///
 /// Attributes that shape the surface: `_ALPHA` (SCALAR) is Phong tessellation's alpha of each vertex, `_STPN` (VEC3)
 /// sharpness, bias and tension of scalar tagged PN triangles; floats, or integers that are normalised or not. A number

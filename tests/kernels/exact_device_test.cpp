@@ -61,7 +61,7 @@ TEST_P(ExactProbe, GivesTheBitsOfTheHost) {
     const gpu::Buffer arguments = upload("arguments", BufferUsage::storage, std::as_bytes(std::span(inputs.arguments)));
     const gpu::Buffer uniform = upload("parameters", BufferUsage::uniform, std::as_bytes(std::span(&params, 1)));
     const gpu::Buffer results =
-        device.create_buffer({"results", std::uint64_t{sample} * 12, BufferUsage::storage | BufferUsage::copy_source});
+        device.create_buffer({"results", std::uint64_t{sample} * 24, BufferUsage::storage | BufferUsage::copy_source});
 
     const gpu::ComputePipeline pipeline = device.create_compute_pipeline(gpu::find_kernel("exact_probe"));
     gpu::CommandEncoder encoder = device.create_command_encoder();
@@ -72,7 +72,7 @@ TEST_P(ExactProbe, GivesTheBitsOfTheHost) {
     pass.end();
     queue.submit(encoder.finish());
 
-    std::vector<float> found(std::size_t{3} * sample);
+    std::vector<float> found(std::size_t{6} * sample);
     queue.read_buffer(results, 0, std::as_writable_bytes(std::span(found)));
     std::ranges::transform(found, found.begin(), canonical);
     std::vector<float> expected;
@@ -81,13 +81,16 @@ TEST_P(ExactProbe, GivesTheBitsOfTheHost) {
         expected.push_back(canonical(exact_reciprocal(inputs.arguments[i])));
         expected.push_back(canonical(exact_rsqrt(inputs.arguments[i])));
         expected.push_back(canonical(exact_divide(inputs.numerators[i], inputs.arguments[i])));
+        expected.push_back(canonical(exact_exp2(inputs.arguments[i])));
+        expected.push_back(canonical(exact_log2(inputs.arguments[i])));
+        expected.push_back(exact_power(bits_float(0x3f7fffffu - (i << 4u)), to_float(i & 1023u) + 0.5f));
     }
     if (std::memcmp(found.data(), expected.data(), found.size() * sizeof(float)) != 0) {
         const auto differs = [](float a, float b) { return float_bits(a) != float_bits(b); };
         const auto at =
             static_cast<std::size_t>(std::ranges::mismatch(found, expected, std::not_fn(differs)).in1 - found.begin());
-        FAIL() << "result " << at % 3 << " of argument " << inputs.arguments[at / 3] << ", numerator "
-               << inputs.numerators[at / 3] << ": " << found[at] << " instead of " << expected[at];
+        FAIL() << "result " << at % 6 << " of argument " << inputs.arguments[at / 6] << ", numerator "
+               << inputs.numerators[at / 6] << ": " << found[at] << " instead of " << expected[at];
     }
 }
 

@@ -205,5 +205,54 @@ TEST(Exact, FlushTiny) {
     EXPECT_EQ(flush_tiny(-infinity), -infinity);
 }
 
+TEST(Exponential, ErrorOverItsRange) {
+    Worst worst;
+    constexpr int steps_per_unit = 1 << 16;
+    for (int i = -126 * steps_per_unit; i < 128 * steps_per_unit; ++i) {
+        const float x = static_cast<float>(i) / steps_per_unit;
+        worst.see(exact_exp2(x), std::exp2(static_cast<double>(x)), x);
+    }
+    EXPECT_LE(worst.error, 1.14) << "at " << worst.argument;
+    EXPECT_EQ(exact_exp2(0.0f), 1.0f);
+    EXPECT_EQ(exact_exp2(10.0f), 1024.0f);
+    EXPECT_EQ(exact_exp2(-126.5f), 0.0f);
+    EXPECT_EQ(exact_exp2(-infinity), 0.0f);
+    EXPECT_EQ(exact_exp2(128.0f), infinity);
+    EXPECT_EQ(exact_exp2(infinity), infinity);
+    EXPECT_TRUE(std::isnan(exact_exp2(nan_value)));
+}
+
+TEST(Logarithm, ErrorOverEveryMantissa) {
+    Worst worst;
+    for (const uint exponent : {1u, 60u, 126u, 127u, 128u, 254u}) {
+        for (uint mantissa = 0; mantissa < mantissas; ++mantissa) {
+            const float x = make_float(exponent, mantissa);
+            if (x != 1.0f) worst.see(exact_log2(x), std::log2(static_cast<double>(x)), x);
+        }
+    }
+    EXPECT_LE(worst.error, 2.2) << "at " << worst.argument;
+    EXPECT_EQ(exact_log2(1.0f), 0.0f);
+    EXPECT_EQ(exact_log2(0.125f), -3.0f);
+}
+
+TEST(Power, ErrorOverTheUnitInterval) {
+    for (const float y : {0.5f, 1.0f, 5.0f, 150.0f, 600.0f, 10000.0f}) {
+        double worst = 0.0;
+        for (uint i = 1; i <= 1u << 20; ++i) {
+            const float x = static_cast<float>(i) / (1u << 20);
+            const double truth = std::pow(static_cast<double>(x), static_cast<double>(y));
+            const float found = exact_power(x, y);
+            if (truth < 1e-17) {
+                ASSERT_LE(found, 1.1e-17f);
+            } else {
+                worst = std::max(worst, std::isnan(found) ? 1.0 : std::fabs(found - truth) / truth);
+            }
+        }
+        EXPECT_LE(worst, 5e-6) << "exponent " << y;
+    }
+    EXPECT_EQ(exact_power(0.0f, 150.0f), 0.0f);
+    EXPECT_EQ(exact_power(1.0f, 150.0f), 1.0f);
+}
+
 }  // namespace
 }  // namespace tessera::kernels

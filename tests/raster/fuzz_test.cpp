@@ -37,7 +37,15 @@ TEST(Fuzz, OfTrianglesIsTheSameEverywhere) {
     for (int round = 0; round < 24; ++round) {
         SCOPED_TRACE(round);
         render::Frame frame = flat_frame(1 + random() % 120, 1 + random() % 120, random() % 2 == 0 ? 1 : 4);
-        frame.shading = static_cast<render::Shading>(random() % 3);
+        frame.shading = static_cast<render::Shading>(random() % 7);
+        frame.wires = random() % 4 == 0;
+        frame.reflection.half_vector = random() % 2 == 0;
+        frame.lights.resize(random() % 4);
+        for (scene::Light& light : frame.lights) {
+            light.kind = static_cast<scene::Light::Kind>(random() % 3);
+            for (int axis = 0; axis < 3; ++axis)
+                light.place[axis] = wild(random);
+        }
         if (random() % 4 != 0) {
             frame.camera =
                 render::frame_bounds({glm::vec3(-1.0f), glm::vec3(1.0f)},

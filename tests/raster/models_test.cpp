@@ -19,7 +19,8 @@ struct Subject {
     RefinedMesh mesh;
     render::Frame frame;
 
-    explicit Subject(const std::string& name, float factor = 3) : scene(scene::load_scene(name)) {
+    explicit Subject(const std::string& name, float factor = 3, bool all_maps = false)
+        : scene(scene::load_scene(name, {.all_maps = all_maps})) {
         TessellationOptions options;
         options.factors = PatchFactors{factor, factor, factor, factor, factor, factor};
         const patches::PatchSet set = patches::make_patches(scene);
@@ -74,6 +75,27 @@ TEST_P(PortableModel, HasTheSameBitsOnEveryDevice) {
                 }
             }
         }
+    }
+}
+
+TEST_P(PortableModel, HasTheSameBitsWithMetallicRoughnessMaterials) {
+    TESSERA_SHARED_OR_SKIP(shared);
+    Subject subject((shared / "models" / GetParam()).string(), 2, true);
+    subject.frame.shading = render::Shading::pbr;
+    subject.frame.tone_curve = render::ToneCurve::aces;
+    scene::Light light;
+    light.fixed_to_camera = true;
+    light.direction = subject.frame.reflection.light;
+    subject.frame.lights = {light};
+    const image::Image first = subject.draw(*raster::open_portable(open_device("reference")));
+    subject.scene.materials.front().base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    EXPECT_NE(subject.draw(*raster::open_portable(open_device("reference"))).rgba, first.rgba);
+    subject = Subject((shared / "models" / GetParam()).string(), 2, true);
+    subject.frame.shading = render::Shading::pbr;
+    subject.frame.tone_curve = render::ToneCurve::aces;
+    subject.frame.lights = {light};
+    for (const gpu::Device& device : open_every_device()) {
+        EXPECT_EQ(subject.draw(*raster::open_portable(device)).rgba, first.rgba) << device.info().id;
     }
 }
 

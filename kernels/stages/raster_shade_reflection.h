@@ -1,0 +1,13 @@
+// Base colour and texture under Phong's or Blinn's light with constants of the look.
+#define SHADE_NAME raster_shade_reflection
+#define SHADE_SURFACE(colour, p, back, x, y) \
+    SHADE_INSIDE                             \
+    if (p.texture_levels != 0u) {            \
+        SHADE_STEPS(p, x, y)                 \
+        SHADE_TEXTURE(p)                     \
+    }                                        \
+    SHADE_NORMAL(p, back)                    \
+    SHADE_REFLECTION(colour, p)
+#include "raster/shade_kernel.h"
+#undef SHADE_NAME
+#undef SHADE_SURFACE
