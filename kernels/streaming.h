@@ -52,7 +52,6 @@ typedef uint16 tessera_uint16;
 
 #else  // C++
 
-
 #define TESSERA_RUN 16
 #define TESSERA_GLOBAL
 #define TESSERA_INLINE [[gnu::always_inline]] inline
@@ -121,8 +120,8 @@ TESSERA_INLINE void stream_vector(void* to, Vector v) {
 #define TESSERA_EVEN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27)
 #define TESSERA_ODD(a, b) __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)
 
-/// Two vertices, of which those below `count` are written: a whole cache line streams, half of one stays in the cache until
-/// the neighbouring patch has written the other.
+/// Two vertices, of which those below `count` are written: a whole cache line streams, half of one stays in the cache
+/// until the neighbouring patch has written the other.
 TESSERA_INLINE void tessera_stream_pair(TESSERA_GLOBAL float* buffer, uint start, uint i, uint count,
                                         tessera_float16 pair) {
     if (i < count && i + 1u < count) {

@@ -16,7 +16,6 @@ float flush(float x) {
     return std::fabs(x) < tiny ? 0.0f : x;
 }
 
-
 Vertex control_vertex(const scene::Mesh& mesh, std::size_t i, int exponent) {
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];

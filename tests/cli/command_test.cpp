@@ -16,8 +16,7 @@ TEST(Program, TellsItsVersion) {
 TEST(Program, HelpNamesEveryCommandAndExitCode) {
     const Result result = run({"--help"});
     EXPECT_EQ(result.code, 0);
-    for (const char* word :
-         {"render", "tessellate", "verify", "diff", "pattern", "bench", "devices", "Exit codes"}) {
+    for (const char* word : {"render", "tessellate", "verify", "diff", "pattern", "bench", "devices", "Exit codes"}) {
         EXPECT_NE(result.output.find(word), std::string::npos) << word;
     }
 }

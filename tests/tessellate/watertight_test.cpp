@@ -112,11 +112,11 @@ TEST(Watertight, ModelsOfOthers) {
 TEST(Watertight, ModelsOfQuads) {
     TESSERA_SHARED_OR_SKIP(shared);
     std::size_t closed = 0;
-    for (const char* file : {"spot/spot_control_mesh.obj", "spot/spot_quadrangulated.obj", "opensubdiv/catmark_rook.obj",
-                             "opensubdiv/catmark_car.obj", "opensubdiv/catmark_nonquads.obj", "obj/max6_teapot.obj",
-                             "obj/blender_282_suzanne.obj"}) {
-        const patches::PatchSet set = patches::make_patches(
-            scene::load_scene((shared / "models" / file).string(), {.smooth_normals = true}));
+    for (const char* file : {"spot/spot_control_mesh.obj", "spot/spot_quadrangulated.obj",
+                             "opensubdiv/catmark_rook.obj", "opensubdiv/catmark_car.obj",
+                             "opensubdiv/catmark_nonquads.obj", "obj/max6_teapot.obj", "obj/blender_282_suzanne.obj"}) {
+        const patches::PatchSet set =
+            patches::make_patches(scene::load_scene((shared / "models" / file).string(), {.smooth_normals = true}));
         if (!test::closed_and_smooth(set)) {
             fmt::print("{} is open: left out\n", file);
             continue;
