@@ -6,8 +6,19 @@
 
 namespace tessera::bench {
 
-JobRun::JobRun(const gpu::Device& device, const Workload& workload)
-    : device_(device), workload_(workload), job_(device, workload.patches, workload.options, device.limits()) {}
+namespace {
+
+TessellationOptions timed(TessellationOptions options, bool time_stages) {
+    options.time_stages = time_stages;
+    return options;
+}
+
+}  // namespace
+
+JobRun::JobRun(const gpu::Device& device, const Workload& workload, bool time_stages)
+    : device_(device),
+      workload_(workload),
+      job_(device, workload.patches, timed(workload.options, time_stages), device.limits()) {}
 
 void JobRun::run() {
     const gpu::Traffic before = device_.traffic();

@@ -21,7 +21,8 @@ struct OutputSize {
 /// `workload` must outlive the run.
 class JobRun {
 public:
-    JobRun(const gpu::Device& device, const Workload& workload);
+    /// `time_stages` measures each stage, which costs a wait after every submission: not for figures of whole jobs.
+    JobRun(const gpu::Device& device, const Workload& workload, bool time_stages = false);
 
     /// The whole job: factors, counts, scan, control nets, vertices, triangles; returns when the device is done.
     void run();

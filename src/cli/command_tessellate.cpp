@@ -74,7 +74,9 @@ int run(const Context& context, const Words& words) {
     const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
     TessellationOptions options = resolve(words.job, patches);
     options.topology = topology_from_name(words.topology);
-    const HairOptions hair_options = resolve_hair(words.hair, Ribbons::flat, words.job.memory_budget);
+    options.time_stages = true;
+    HairOptions hair_options = resolve_hair(words.hair, Ribbons::flat, words.job.memory_budget);
+    hair_options.time_stages = true;
     if (hair_options.ribbons == Ribbons::camera && words.hair.eye.empty()) {
         throw Error(ErrorKind::usage,
                     "Ribbons of a file cannot face a camera that is not known; say where it is: --eye "

@@ -137,7 +137,7 @@ struct HairJob::State {
           plan(plan_hair(h.patches.size() * parts_per_patch, guide_bytes(h), o.memory_budget, limits)),
           parameters(device, PatchCounter::parameter_slots + 1),
           counter(device, plan.largest_chunk, true, parameters),
-          clock(device),
+          clock(device, o.time_stages),
           points(storage("guide points", h.points.size() * sizeof(patches::GuidePoint))),
           segments(storage("guide segments", h.segments.size() * 4)),
           curves(storage("guide curves", curve_bytes(h))),

@@ -30,6 +30,8 @@ struct HairOptions {
     glm::vec3 direction{1.0f, 0.0f, 0.0f};  ///< for Ribbons::flat; any length but zero
     /// Bytes of device memory a job may take; outputs larger than that are made in batches.
     std::uint64_t memory_budget = 512ull << 20;
+    /// Measure each stage on the device (HairJob::times). Costs a wait after every submission.
+    bool time_stages = false;
 };
 
 std::string_view name(Ribbons ribbons);

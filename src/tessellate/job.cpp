@@ -146,7 +146,7 @@ struct Job::State {
           patch_corners(storage("patch corners", std::uint64_t{plan.largest_chunk} * PATCH_CORNERS * 4)),
           patch_list(storage("patch list", std::uint64_t{plan.largest_chunk} * 4)),
           counter(device, plan.largest_chunk, factors_per_patch(), parameters, patch_corners),
-          clock(device) {}
+          clock(device, o.time_stages) {}
 
     bool factors_per_patch() const { return std::holds_alternative<std::vector<PatchFactors>>(options.factors); }
 

@@ -67,6 +67,8 @@ struct TessellationOptions {
     Topology topology = Topology::triangles;
     /// Bytes of device memory a job may take; outputs larger than that are made in batches.
     std::uint64_t memory_budget = 512ull << 20;
+    /// Measure each stage on the device (Job::times). Costs a wait after every submission.
+    bool time_stages = false;
 };
 
 /// The degree of a scheme's patches, 1 to 3.

@@ -2,8 +2,8 @@
 
 namespace tessera {
 
-StageClock::StageClock(gpu::Device& device) {
-    times_.measured = device.info().timestamps;
+StageClock::StageClock(gpu::Device& device, bool asked) {
+    times_.measured = asked && device.info().timestamps;
     if (times_.measured) {
         queries_ = device.create_query_set(capacity);
         resolved_ = device.create_buffer(

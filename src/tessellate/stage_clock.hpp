@@ -1,4 +1,4 @@
-// Adds up device time per stage from timestamps; silent on devices that have none.
+// Adds up device time per stage from timestamps; silent where it is not asked to, and on devices that have none.
 #pragma once
 
 #include "gpu/device.hpp"
@@ -10,7 +10,7 @@ namespace tessera {
 /// the encoder; collect() after submitting.
 class StageClock {
 public:
-    explicit StageClock(gpu::Device& device);
+    StageClock(gpu::Device& device, bool asked);
 
     void begin(gpu::CommandEncoder& encoder);
     void mark(gpu::CommandEncoder& encoder, StageId stage);
