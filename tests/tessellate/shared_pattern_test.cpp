@@ -29,6 +29,7 @@ TEST(SharedPattern, ChangesNothing) {
                 const RefinedMesh own = tessellate(device, set, options);
                 EXPECT_EQ(shared.indices, own.indices);
                 ASSERT_EQ(shared.vertices.size(), own.vertices.size());
+                if (own.vertices.empty()) continue;  // culled
                 EXPECT_EQ(
                     std::memcmp(shared.vertices.data(), own.vertices.data(), own.vertices.size() * sizeof(Vertex)), 0);
             }
