@@ -1,31 +1,15 @@
 #include "backends/opencl/opencl_memory.hpp"
 
 #include "base/error.hpp"
+#include "base/host_memory.hpp"
 
 #include <fmt/format.h>
 
-#include <sys/mman.h>
+#include <new>
 
 namespace tessera::backends::opencl {
 
 namespace {
-
-// Anonymous pages: aligned as CPU drivers want it for use in place, zero without being written, and first touched by
-// the threads that fill them.
-struct HostPages {
-    void* address;
-    std::size_t size;
-
-    explicit HostPages(std::size_t bytes)
-        : address(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)), size(bytes) {}
-    HostPages(const HostPages&) = delete;
-    HostPages& operator=(const HostPages&) = delete;
-    ~HostPages() {
-        if (address != MAP_FAILED) {
-            munmap(address, size);
-        }
-    }
-};
 
 [[noreturn]] void out_of_memory(const Session& session, const gpu::BufferDescriptor& descriptor, cl_int code) {
     throw Error(ErrorKind::device_unavailable,
@@ -36,18 +20,21 @@ struct HostPages {
 }
 
 void CL_CALLBACK release_pages(cl_mem, void* pages) {
-    delete static_cast<HostPages*>(pages);
+    delete static_cast<HostMemory*>(pages);
 }
 
-// The driver tells when nothing uses the pages any more: commands in flight keep the buffer beyond its release.
+// CPU drivers use pages in place, and the threads that fill them touch them first. The driver tells when nothing uses
+// them any more: commands in flight keep the buffer beyond its release.
 MemoryHandle use_host_pages(const Session& session, const gpu::BufferDescriptor& descriptor) {
-    auto pages = std::make_unique<HostPages>(descriptor.size);
-    if (pages->address == MAP_FAILED) {
+    std::unique_ptr<HostMemory> pages;
+    try {
+        pages = std::make_unique<HostMemory>(descriptor.size);
+    } catch (const std::bad_alloc&) {
         out_of_memory(session, descriptor, CL_OUT_OF_HOST_MEMORY);
     }
     cl_int code = CL_SUCCESS;
     MemoryHandle memory(session.api.clCreateBuffer(session.context.get(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR,
-                                                   descriptor.size, pages->address, &code),
+                                                   descriptor.size, pages->data(), &code),
                         {session.api.clReleaseMemObject});
     if (code != CL_SUCCESS) {
         out_of_memory(session, descriptor, code);

@@ -1,23 +1,20 @@
 // The reference backend's own objects: plain memory, a function pointer, pointers per slot, and clock readings.
 #pragma once
 
+#include "base/host_memory.hpp"
 #include "gpu/types.hpp"
 
 #include <array>
-#include <new>
+#include <optional>
+#include <vector>
 
 namespace tessera::backends::reference {
 
-/// A cache line and the widest vector register; kernels' loops run fastest on memory that starts on one.
-inline constexpr std::align_val_t memory_alignment{64};
-
-/// Exactly `size` bytes, so that the address sanitizer sees a kernel that leaves its buffer by one byte.
+/// Starts on a page: kernels' loops run fastest on memory that starts on a cache line, and streaming asks for one.
 struct Buffer : gpu::BackendObject {
-    explicit Buffer(std::byte* memory) : memory(memory) {}
-    ~Buffer() override { ::operator delete(memory, memory_alignment); }
-    Buffer(const Buffer&) = delete;
-    Buffer& operator=(const Buffer&) = delete;
+    explicit Buffer(std::size_t size) : pages(size), memory(pages.data()) {}
 
+    HostMemory pages;
     std::byte* memory;
 };
 

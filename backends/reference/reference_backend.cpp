@@ -11,6 +11,7 @@
 #include <oneapi/tbb/version.h>
 
 #include <cstring>
+#include <new>
 
 namespace tessera::backends::reference {
 
@@ -47,15 +48,13 @@ public:
     const gpu::DeviceInfo& info() const override { return info_; }
 
     std::unique_ptr<gpu::BackendObject> create_buffer(const gpu::BufferDescriptor& descriptor) override {
-        void* memory = ::operator new(descriptor.size, memory_alignment, std::nothrow);
-        if (memory == nullptr) {
+        try {
+            return std::make_unique<Buffer>(descriptor.size);
+        } catch (const std::bad_alloc&) {
             throw Error(ErrorKind::device_unavailable,
                         fmt::format("The reference device has no memory for buffer '{}' of {} bytes.", descriptor.label,
                                     descriptor.size));
         }
-        auto buffer = std::make_unique<Buffer>(static_cast<std::byte*>(memory));
-        fill_memory(buffer->memory, descriptor.size, 0);
-        return buffer;
     }
 
     std::unique_ptr<gpu::BackendObject> create_pipeline(const gpu::Kernel& kernel) override {

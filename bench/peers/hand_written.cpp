@@ -2,6 +2,7 @@
 
 #include "backends/registry.hpp"
 #include "base/error.hpp"
+#include "base/host_memory.hpp"
 #include "bench/peers/hand_written_loops_api.hpp"
 #include "bench/sanity.hpp"
 #include "tessellate/pattern.hpp"
@@ -11,10 +12,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <new>
 
 namespace tessera::peers {
 namespace {
@@ -24,21 +23,13 @@ using glm::vec3;
 template <typename T>
 class Aligned {
 public:
-    explicit Aligned(std::size_t count) : count_(count) {
-        const std::size_t bytes = (count * sizeof(T) + 63) / 64 * 64;
-        data_ = static_cast<T*>(std::aligned_alloc(64, bytes));
-        if (data_ == nullptr) throw std::bad_alloc();
-        std::fill_n(data_, count, T{});
-    }
-    ~Aligned() { std::free(data_); }
-    Aligned(const Aligned&) = delete;
-    Aligned& operator=(const Aligned&) = delete;
-    T* data() { return data_; }
+    explicit Aligned(std::size_t count) : count_(count), memory_(count * sizeof(T)) {}
+    T* data() { return reinterpret_cast<T*>(memory_.data()); }
     std::size_t size() const { return count_; }
 
 private:
     std::size_t count_;
-    T* data_;
+    HostMemory memory_;
 };
 
 Loops choose_loops() {

@@ -6,20 +6,12 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <new>
 
 namespace tessera::bench {
 namespace {
 
 constexpr std::uint64_t block = 1ull << 20;
-
-std::byte* allocate(std::uint64_t bytes) {
-    void* memory = std::aligned_alloc(64, bytes);
-    if (memory == nullptr) throw std::bad_alloc();
-    return static_cast<std::byte*>(memory);
-}
 
 // Same blocks to the same threads every time would be fairer still to plain stores, but jobs are not run that way.
 template <typename Body>
@@ -29,32 +21,28 @@ void for_each_block(std::uint64_t bytes, const Body& body) {
 
 }  // namespace
 
-void HostRoofs::Free::operator()(std::byte* memory) const {
-    std::free(memory);
-}
-
 HostRoofs::HostRoofs(std::uint64_t bytes)
     : bytes_(std::max<std::uint64_t>((bytes + block - 1) / block, 1) * block),
-      first_(allocate(bytes_)),
-      second_(allocate(bytes_)) {
+      first_(bytes_),
+      second_(bytes_) {
     for_each_block(bytes_, [&](std::uint64_t at) {
-        std::memset(first_.get() + at, 0, block);
-        std::memset(second_.get() + at, 0, block);
+        std::memset(first_.data() + at, 0, block);
+        std::memset(second_.data() + at, 0, block);
     });
 }
 
 void HostRoofs::write_plain() {
     ++word_;
-    for_each_block(bytes_, [&](std::uint64_t at) { plain_fill(first_.get() + at, block, word_); });
+    for_each_block(bytes_, [&](std::uint64_t at) { plain_fill(first_.data() + at, block, word_); });
 }
 
 void HostRoofs::write_streaming() {
     ++word_;
-    for_each_block(bytes_, [&](std::uint64_t at) { stream_fill(first_.get() + at, block, word_); });
+    for_each_block(bytes_, [&](std::uint64_t at) { stream_fill(first_.data() + at, block, word_); });
 }
 
 void HostRoofs::copy() {
-    for_each_block(bytes_, [&](std::uint64_t at) { std::memcpy(second_.get() + at, first_.get() + at, block); });
+    for_each_block(bytes_, [&](std::uint64_t at) { std::memcpy(second_.data() + at, first_.data() + at, block); });
 }
 
 void HostRoofs::add_to(std::vector<Contestant>& contestants) {

@@ -1,12 +1,12 @@
 // What memory takes at most: the roof over everything that writes vertices.
 #pragma once
 
+#include "base/host_memory.hpp"
 #include "bench/contest.hpp"
 #include "bench/sanity.hpp"
 #include "gpu/device.hpp"
 
 #include <cstdint>
-#include <memory>
 
 namespace tessera::bench {
 
@@ -25,13 +25,8 @@ public:
     void add_to(std::vector<Contestant>& contestants);
 
 private:
-    struct Free {
-        void operator()(std::byte* memory) const;
-    };
-    using Memory = std::unique_ptr<std::byte[], Free>;
-
     std::uint64_t bytes_;
-    Memory first_, second_;
+    HostMemory first_, second_;
     std::uint32_t word_ = 1;
 };
 
