@@ -73,13 +73,18 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 // A run of vertices to their place: those of vertices first..first + RUN - 1 that are below `count`, of a patch that
 // begins at vertex `start`; `run` holds RUN of each of a vertex's eight words. STREAM_WORDS writes RUN words to a
-// multiple of RUN. Where a device can, both go past its caches. STREAM_END comes after a kernel's last.
+// multiple of RUN, STREAM_TRIANGLES 3 RUN likewise. Where a device can, both go past its caches. STREAM_END comes after
+// an item's last, and where it has none.
 #define STREAM_GROUP 1u  // start + first must be a multiple of this
 #define STREAM_VERTICES(buffer, start, first, count, run)    \
     for (uint word = 0u; word < 8u; ++word) {                \
         buffer[8u * ((start) + (first)) + word] = run[word]; \
     }
 #define STREAM_WORDS(buffer, at, run) buffer[at] = run[0]
+#define STREAM_TRIANGLES(buffer, at, run) \
+    buffer[at] = run[0];                  \
+    buffer[(at) + 1u] = run[1];           \
+    buffer[(at) + 2u] = run[2]
 #define STREAM_END
 #define PREFETCH(buffer, at)  // the cache line that holds a word, wanted soon
 
@@ -121,6 +126,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define STREAM_GROUP (TESSERA_RUN > 1 ? 2u : 1u)
 #define STREAM_VERTICES TESSERA_STREAM_VERTICES
 #define STREAM_WORDS(buffer, at, run) TESSERA_STREAM_WORDS(buffer + (at), run)
+#define STREAM_TRIANGLES(buffer, at, run) TESSERA_STREAM_TRIANGLES(buffer + (at), run)
 #define STREAM_END TESSERA_STREAM_END
 #define PREFETCH(buffer, at) TESSERA_PREFETCH(buffer + (at))
 
@@ -190,7 +196,8 @@ KERNELS_END
 #define STREAM_GROUP 2u
 #define STREAM_VERTICES(buffer, start, first, count, run) tessera_stream_vertices(buffer.data, start, first, count, run)
 #define STREAM_WORDS(buffer, at, run) TESSERA_STREAM_WORDS(buffer.data + (at), run)
-#define STREAM_END TESSERA_STREAM_END
+#define STREAM_TRIANGLES(buffer, at, run) TESSERA_STREAM_TRIANGLES(buffer.data + (at), run)
+#define STREAM_END  // the loop over items does it: end_streaming()
 #define PREFETCH(buffer, at) TESSERA_PREFETCH(buffer.data + (at))
 
 #define ITEM dispatched.index

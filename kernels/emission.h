@@ -38,11 +38,12 @@ FUNCTION uint run_length(uint first, uint count) {
     return count - first < RUN ? count - first : RUN;
 }
 
-/// Writes the point indices of a triangle; `flip` turns its winding round.
-#define STORE_TRIANGLE(buffer, at, base, flip, corners)                \
-    buffer[at] = (base) + (corners).a;                                 \
-    buffer[(at) + 1u] = (base) + ((flip) ? (corners).c : (corners).b); \
-    buffer[(at) + 2u] = (base) + ((flip) ? (corners).b : (corners).c)
+/// Puts the point indices of triangle k into a run: all first corners, then all second, then all third ones; `flip`
+/// turns its winding round.
+#define PUT_TRIANGLE(run, k, base, flip, corners)                   \
+    run[k] = (base) + (corners).a;                                  \
+    run[RUN + (k)] = (base) + ((flip) ? (corners).c : (corners).b); \
+    run[2u * RUN + (k)] = (base) + ((flip) ? (corners).b : (corners).c)
 
 KERNELS_END
 

@@ -16,8 +16,8 @@ typedef float16 tessera_float16;
 typedef float8 tessera_float8;
 typedef uint16 tessera_uint16;
 #define TESSERA_LOAD16(words) vload16(0, words)
+#define TESSERA_LOAD_WORDS(words) vload16(0, words)
 #define TESSERA_LOAD8(words) vload8(0, words)
-#define TESSERA_STORE8(pointer, value) vstore8(value, 0, pointer)
 #define TESSERA_PREFETCH(pointer)
 #ifdef __has_builtin
 #if __has_builtin(__builtin_prefetch)
@@ -28,7 +28,11 @@ typedef uint16 tessera_uint16;
 #define TESSERA_STREAM(type, pointer, value) __builtin_nontemporal_store(value, (__global type*)(pointer))
 #endif
 #if __has_builtin(__builtin_ia32_sfence)
-#define TESSERA_STREAM_END __builtin_ia32_sfence()
+// The items of a group run in turns on one thread. A fence after each would wait for its stores: a third of the time.
+#define TESSERA_STREAM_END                           \
+    if (get_local_id(0) + 1u == get_local_size(0)) { \
+        __builtin_ia32_sfence();                     \
+    }
 #endif
 #if __has_builtin(__builtin_shufflevector)
 #define TESSERA_SHUFFLES
@@ -66,10 +70,6 @@ TESSERA_INLINE Vector load_vector(const Word* words) {
     std::memcpy(&v, words, sizeof v);
     return v;
 }
-template <typename Vector>
-TESSERA_INLINE void store_vector(void* to, Vector v) {
-    std::memcpy(to, &v, sizeof v);
-}
 /// `to` lies on 16 bytes.
 template <typename Vector>
 TESSERA_INLINE void stream_vector(void* to, Vector v) {
@@ -90,14 +90,15 @@ TESSERA_INLINE void stream_vector(void* to, Vector v) {
 }
 #define TESSERA_PREFETCH(pointer) __builtin_prefetch(pointer)
 #define TESSERA_LOAD16(words) load_vector<tessera_float16>(words)
+#define TESSERA_LOAD_WORDS(words) load_vector<tessera_uint16>(words)
 #define TESSERA_LOAD8(words) load_vector<tessera_float8>(words)
-#define TESSERA_STORE8(pointer, value) store_vector<tessera_float8>(pointer, value)
 #define TESSERA_STREAM(type, pointer, value) stream_vector<type>(pointer, value)
+/// After the last item of a range, by whoever runs ranges of items.
+TESSERA_INLINE void end_streaming() {
 #if defined(__SSE2__)
-#define TESSERA_STREAM_END _mm_sfence()
-#else
-#define TESSERA_STREAM_END
+    _mm_sfence();
 #endif
+}
 
 #endif
 
@@ -106,6 +107,10 @@ TESSERA_INLINE void stream_vector(void* to, Vector v) {
 #define TESSERA_STREAM_VERTICES(buffer, start, first, count, run) \
     TESSERA_STREAM(tessera_float8, buffer + 8u * (start + (first)), TESSERA_LOAD8(run))
 #define TESSERA_STREAM_WORDS(pointer, run) (*(pointer) = (run)[0])
+#define TESSERA_STREAM_TRIANGLES(pointer, run) \
+    (pointer)[0] = (run)[0];                   \
+    (pointer)[1] = (run)[1];                   \
+    (pointer)[2] = (run)[2]
 
 #else
 
@@ -120,16 +125,17 @@ TESSERA_INLINE void stream_vector(void* to, Vector v) {
 #define TESSERA_EVEN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27)
 #define TESSERA_ODD(a, b) __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)
 
-/// Two vertices, of which those below `count` are written: a whole cache line streams, half of one stays in the cache
-/// until the neighbouring patch has written the other.
+/// Two vertices, of which those below `count` are written. Half a cache line waits in the processor's buffer for the
+/// other half, which the same thread writes next, where it goes on with the neighbouring patch.
 TESSERA_INLINE void tessera_stream_pair(TESSERA_GLOBAL float* buffer, uint start, uint i, uint count,
                                         tessera_float16 pair) {
     if (i < count && i + 1u < count) {
         TESSERA_STREAM(tessera_float16, buffer + 8u * (start + i), pair);
     } else if (i < count) {
-        TESSERA_STORE8(buffer + 8u * (start + i), __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7));
+        TESSERA_STREAM(tessera_float8, buffer + 8u * (start + i),
+                       __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7));
     } else if (i + 1u < count) {
-        TESSERA_STORE8(buffer + 8u * (start + i + 1u),
+        TESSERA_STREAM(tessera_float8, buffer + 8u * (start + i + 1u),
                        __builtin_shufflevector(pair, pair, 8, 9, 10, 11, 12, 13, 14, 15));
     }
 }
@@ -181,14 +187,32 @@ TESSERA_INLINE void tessera_stream_vertices(TESSERA_GLOBAL float* buffer, uint s
 #define TESSERA_STREAM_VERTICES(buffer, start, first, count, run) \
     tessera_stream_vertices(buffer, start, first, count, run)
 #define TESSERA_STREAM_WORDS(pointer, run) TESSERA_STREAM(tessera_uint16, pointer, TESSERA_LOAD_WORDS(run))
+/// First and second corners of 16 triangles in the places that they have among words 0 to 15, 16 to 31 or 32 to 47 of a
+/// list of triangles; then the third corners between them.
+#define TESSERA_AB0(a, b) __builtin_shufflevector(a, b, 0, 16, -1, 1, 17, -1, 2, 18, -1, 3, 19, -1, 4, 20, -1, 5)
+#define TESSERA_ABC0(ab, c) __builtin_shufflevector(ab, c, 0, 1, 16, 3, 4, 17, 6, 7, 18, 9, 10, 19, 12, 13, 20, 15)
+#define TESSERA_AB1(a, b) __builtin_shufflevector(a, b, 21, -1, 6, 22, -1, 7, 23, -1, 8, 24, -1, 9, 25, -1, 10, 26)
+#define TESSERA_ABC1(ab, c) __builtin_shufflevector(ab, c, 0, 21, 2, 3, 22, 5, 6, 23, 8, 9, 24, 11, 12, 25, 14, 15)
+#define TESSERA_AB2(a, b) __builtin_shufflevector(a, b, -1, 11, 27, -1, 12, 28, -1, 13, 29, -1, 14, 30, -1, 15, 31, -1)
+#define TESSERA_ABC2(ab, c) __builtin_shufflevector(ab, c, 26, 1, 2, 27, 4, 5, 28, 7, 8, 29, 10, 11, 30, 13, 14, 31)
+
+/// 16 triangles to a multiple of 16 words. `run` holds all first corners, then all second, then all third ones.
+TESSERA_INLINE void tessera_stream_triangles(TESSERA_GLOBAL uint* to, const uint* run) {
+    const tessera_uint16 a = TESSERA_LOAD_WORDS(run);
+    const tessera_uint16 b = TESSERA_LOAD_WORDS(run + 16);
+    const tessera_uint16 c = TESSERA_LOAD_WORDS(run + 32);
+    const tessera_uint16 ab0 = TESSERA_AB0(a, b), ab1 = TESSERA_AB1(a, b), ab2 = TESSERA_AB2(a, b);
+    TESSERA_STREAM(tessera_uint16, to, TESSERA_ABC0(ab0, c));
+    TESSERA_STREAM(tessera_uint16, to + 16, TESSERA_ABC1(ab1, c));
+    TESSERA_STREAM(tessera_uint16, to + 32, TESSERA_ABC2(ab2, c));
+}
+
+#define TESSERA_STREAM_TRIANGLES(pointer, run) tessera_stream_triangles(pointer, run)
 
 #endif
 
 #if !defined(__OPENCL_VERSION__)
-#define TESSERA_LOAD_WORDS(words) load_vector<tessera_uint16>(words)
 KERNELS_END
-#elif TESSERA_RUN == 16
-#define TESSERA_LOAD_WORDS(words) vload16(0, words)
 #endif
 
 #endif

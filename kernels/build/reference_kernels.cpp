@@ -37,6 +37,7 @@ struct Wrap<Function> {
         for (std::uint32_t item = first_item; item < last_item; ++item) {
             Function(Item{item}, Slot<Parameters>::bind(slots)...);
         }
+        end_streaming();
     }
 };
 

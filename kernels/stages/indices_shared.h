@@ -8,6 +8,7 @@ KERNEL5(indices_shared, READ(0, uint, pattern), READ(1, uint, offsets), READ(2, 
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
+        STREAM_END;
         return;
     }
     const uint patch_index = patch_list[e.entry];

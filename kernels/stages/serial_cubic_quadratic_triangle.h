@@ -7,6 +7,12 @@
 #include "schemes/surface_vertex.h"
 #include "tessellator/serial_triangle.h"
 
+/// Writes the point indices of a triangle; `flip` turns its winding round.
+#define STORE_TRIANGLE(buffer, at, base, flip, corners)                \
+    buffer[at] = (base) + (corners).a;                                 \
+    buffer[(at) + 1u] = (base) + ((flip) ? (corners).c : (corners).b); \
+    buffer[(at) + 2u] = (base) + ((flip) ? (corners).b : (corners).c)
+
 KERNELS_BEGIN
 
 STRUCT(SerialNet) {

@@ -8,6 +8,7 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
+        STREAM_END;
         return;
     }
     const uint patch_index = patch_list[e.entry];
@@ -20,31 +21,44 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
     const uint count = words / 3u;
     const uint outer = rings ? OUTER_COUNT(t) : count;
     for (uint part = 0u; part < 2u; ++part) {
+        const uint begin = part == 0u ? 0u : outer;
         const uint end = part == 0u ? outer : count;
-        for (uint first = (part == 0u ? 0u : outer) + e.first; first < end; first = first + e.step) {
+        // Runs begin on whole cache lines of the buffer: the first and the last may hold triangles that are not of this
+        // part, which are made and not written.
+        const uint shift = (start / 3u + begin) & (RUN - 1u);
+        const uint size = end == begin ? 0u : end - begin + shift;
+        for (uint at = e.first; at < size; at = at + e.step) {
+            const uint first = begin + at - shift;
             uint run[RUN * 3u];
             if (part != 0u) {
+                const RingWindow window = ROW_WINDOW(t, at < shift ? begin : first);
                 FOR_RUN(k) {
-                    const Triangle corners = INNER_TRIANGLE(t, first + k);
-                    STORE_TRIANGLE(run, 3u * k, base, flip, corners);
+                    const Triangle corners = INNER_TRIANGLE(t, window, first + k);
+                    PUT_TRIANGLE(run, k, base, flip, corners);
                 }
             } else if (rings) {
                 FOR_RUN(k) {
                     const Triangle corners = OUTER_TRIANGLE(t, first + k);
-                    STORE_TRIANGLE(run, 3u * k, base, flip, corners);
+                    PUT_TRIANGLE(run, k, base, flip, corners);
                 }
             } else {
                 FOR_RUN(k) {
                     const Triangle corners = PLAIN_TRIANGLE(t, first + k);
-                    STORE_TRIANGLE(run, 3u * k, base, flip, corners);
+                    PUT_TRIANGLE(run, k, base, flip, corners);
                 }
             }
-            const uint made = 3u * run_length(first, end);
-            for (uint word = 0u; word < made; ++word) {
-                index_buffer[start + 3u * first + word] = run[word];
+            if (at >= shift && first + RUN <= end) {
+                STREAM_TRIANGLES(index_buffer, start + 3u * first, run);
+            } else {
+                const uint skipped = at < shift ? shift - at : 0u;
+                const uint made = end - first < RUN ? end - first : RUN;
+                for (uint word = 3u * skipped; word < 3u * made; ++word) {
+                    index_buffer[start + 3u * first + word] = run[word % 3u * RUN + word / 3u];
+                }
             }
         }
     }
+    STREAM_END;
 }
 
 KERNELS_END
