@@ -3,6 +3,7 @@
 // the kernel by TANGENTS_KERNEL, gives VERTICES_DEGREE, VERTICES_NORMALS (0) and SURFACE_TANGENTS (triangle_surface.h),
 // and includes the domain and the surface first. No include guard: every variant includes it once.
 #include "emission.h"
+#include "tessellator/run_points.h"
 
 KERNELS_BEGIN
 
@@ -12,16 +13,17 @@ KERNEL7(TANGENTS_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
+        STREAM_END;
         return;
     }
     const uint patch_index = patch_list[e.entry];
     const uint start = VERTEX_START(p, offsets, patch_index);
     const uint count = VERTEX_COUNT(offsets, patch_index);
     if (count == 0u) {
+        STREAM_END;
         return;  // there is no vertex to read
     }
     const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
-    const bool rings = PATCH_HAS_RINGS(t);
     SURFACE net;
     LOAD_POINTS(net, nets, patch_index * p.net_stride);
 #if SURFACE_TANGENTS == 2
@@ -33,19 +35,7 @@ KERNEL7(TANGENTS_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         const uint first = at - shift;
         uint us[RUN];
         uint vs[RUN];
-        if (rings) {
-            FOR_RUN(k) {
-                const DomainPoint point = RING_POINT(t, first + k);
-                us[k] = point.u;
-                vs[k] = point.v;
-            }
-        } else {
-            FOR_RUN(k) {
-                const DomainPoint point = PLAIN_POINT(t, first + k);
-                us[k] = point.u;
-                vs[k] = point.v;
-            }
-        }
+        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
         float xs[RUN];
         float ys[RUN];
         float zs[RUN];

@@ -95,8 +95,7 @@ STRUCT(SURFACE) {
 
 /// Where the surface is; and, where a kernel needs them, its derivatives along the domain's u and v (w falls as either
 /// grows), a positive factor of both left out.
-FUNCTION SurfacePoint SURFACE_POINT(SURFACE net, DomainPoint point) {
-    const Barycentric b = make_barycentric(point.u, point.v);
+FUNCTION SurfacePoint SURFACE_POINT(SURFACE net, Barycentric b) {
     SurfacePoint p;
 #if VERTICES_DEGREE == 1
     p.position = evaluate_linear(b, net.c0, net.c1, net.c2);
@@ -128,7 +127,7 @@ FUNCTION SurfacePoint SURFACE_POINT(SURFACE net, DomainPoint point) {
 #if VERTICES_NORMALS != 0
 FUNCTION SurfaceVertex SURFACE_VERTEX(SURFACE net, DomainPoint point) {
     const Barycentric b = make_barycentric(point.u, point.v);
-    const SurfacePoint p = SURFACE_POINT(net, point);
+    const SurfacePoint p = SURFACE_POINT(net, b);
 #if VERTICES_NORMALS == 2
     const Vector normal = blended_normal(
         evaluate_quadratic(quadratic_weights(b, 1.0f), net.n0, net.n1, net.n2, net.n01, net.n12, net.n20));
@@ -146,7 +145,7 @@ FUNCTION SurfaceVertex SURFACE_VERTEX(SURFACE net, DomainPoint point) {
 #else
 /// `normal` is the vertex's, unit.
 FUNCTION TangentFrame SURFACE_FRAME(SURFACE net, DomainPoint point, Vector normal) {
-    const SurfacePoint p = SURFACE_POINT(net, point);
+    const SurfacePoint p = SURFACE_POINT(net, make_barycentric(point.u, point.v));
 #if SURFACE_TANGENTS == 1
     return make_frame(p.by_u, p.by_v, normal);
 #else

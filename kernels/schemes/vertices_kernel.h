@@ -3,6 +3,7 @@
 // VERTICES_NORMALS (triangle_surface.h), VERTICES_SHARED (1: all patches share a pattern of points; 0: each makes its
 // own), and includes the domain and the surface first. No include guard: every variant includes it once.
 #include "emission.h"
+#include "tessellator/run_points.h"
 
 KERNELS_BEGIN
 
@@ -16,6 +17,7 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
+        STREAM_END;
         return;
     }
     const uint patch_index = patch_list[e.entry];
@@ -23,7 +25,6 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
     const uint count = VERTEX_COUNT(offsets, patch_index);
 #if !VERTICES_SHARED
     const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
-    const bool rings = PATCH_HAS_RINGS(t);
 #endif
     SURFACE net;
     LOAD_SURFACE(net, nets, patch_index * p.net_stride);
@@ -43,19 +44,7 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
             vs[k] = pattern[RUN_AT(pattern_at + p.pattern, k)];
         }
 #else
-        if (rings) {
-            FOR_RUN(k) {
-                const DomainPoint point = RING_POINT(t, first + k);
-                us[k] = point.u;
-                vs[k] = point.v;
-            }
-        } else {
-            FOR_RUN(k) {
-                const DomainPoint point = PLAIN_POINT(t, first + k);
-                us[k] = point.u;
-                vs[k] = point.v;
-            }
-        }
+        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
 #endif
         float run[RUN * VERTEX_FLOATS];
         FOR_RUN(k) {

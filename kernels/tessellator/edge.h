@@ -9,13 +9,14 @@ KERNELS_BEGIN
 
 /// What a resolved factor says about its edge. Coordinates are 16.16: 65536 is the far end.
 STRUCT(Edge) {
-    uint odd;            // 1: an odd number of segments
-    uint half_points;    // points up to the middle, rounded up
-    uint points;         // points on the edge, both ends included
-    uint fraction;       // 16 bits: how far the factor is from the lower of the two patterns it blends
-    uint split;          // the point that the higher pattern has and the lower one lacks
-    uint inverse_floor;  // 65536 / segments of the lower pattern, rounded
-    uint inverse_ceil;   // likewise of the higher one
+    uint odd;          // 1: an odd number of segments
+    uint half_points;  // points up to the middle, rounded up
+    uint points;       // points on the edge, both ends included
+    uint split;        // the point that the higher pattern has and the lower one lacks
+    // What a step of the lower and of the higher pattern is worth in the blend of both: 65536 / segments, rounded,
+    // times the share of the pattern in 65536ths. Products of positions wrap where those of the specification do.
+    uint lower_step;
+    uint higher_step;
 };
 
 /// Index of the highest set bit; 0 for 0. Values up to 6 bits.
@@ -41,12 +42,12 @@ FUNCTION Edge make_edge(uint factor, uint odd) {
     edge.odd = odd;
     edge.half_points = ceil_half;
     edge.points = 2u * ceil_half + 1u - odd;
-    edge.fraction = h & 0xffffu;
+    const uint fraction = h & 0xffffu;
     const uint from_odd = floor_half == 1u ? 0u : 2u * drop_highest_bit(floor_half - 1u) + 1u;
     const uint from_even = 2u * drop_highest_bit(floor_half) + 1u;
     edge.split = floor_half == ceil_half ? ceil_half + 1u : (odd != 0u ? from_odd : from_even);
-    edge.inverse_floor = rounded_inverse(2u * floor_half - odd);
-    edge.inverse_ceil = rounded_inverse(2u * ceil_half - odd);
+    edge.lower_step = rounded_inverse(2u * floor_half - odd) * (65536u - fraction);
+    edge.higher_step = rounded_inverse(2u * ceil_half - odd) * fraction;
     return edge;
 }
 
@@ -55,8 +56,7 @@ FUNCTION uint edge_coordinate(Edge edge, uint p) {
     const bool mirrored = p >= edge.half_points;
     const uint q = mirrored ? 2u * edge.half_points - p - edge.odd : p;
     const uint f = q - (q > edge.split ? 1u : 0u);
-    const uint blended =
-        (f * edge.inverse_floor * (65536u - edge.fraction) + q * edge.inverse_ceil * edge.fraction + 0x8000u) >> 16u;
+    const uint blended = (f * edge.lower_step + q * edge.higher_step + 0x8000u) >> 16u;
     const uint place = q == edge.half_points ? 0x8000u : blended;
     return mirrored ? 65536u - place : place;
 }
@@ -74,10 +74,9 @@ FUNCTION Edge choose_edge(bool second, Edge a, Edge b) {
     edge.odd = second ? b.odd : a.odd;
     edge.half_points = second ? b.half_points : a.half_points;
     edge.points = second ? b.points : a.points;
-    edge.fraction = second ? b.fraction : a.fraction;
     edge.split = second ? b.split : a.split;
-    edge.inverse_floor = second ? b.inverse_floor : a.inverse_floor;
-    edge.inverse_ceil = second ? b.inverse_ceil : a.inverse_ceil;
+    edge.lower_step = second ? b.lower_step : a.lower_step;
+    edge.higher_step = second ? b.higher_step : a.higher_step;
     return edge;
 }
 

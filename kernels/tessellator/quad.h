@@ -9,6 +9,7 @@
 #ifndef TESSERA_TESSELLATOR_QUAD_H
 #define TESSERA_TESSELLATOR_QUAD_H
 
+#include "tessellator/ring_window.h"
 #include "tessellator/row.h"
 
 KERNELS_BEGIN
@@ -88,12 +89,6 @@ FUNCTION uint quad_ring_start(uint r, uint sum) {
     return 2u * (r - 1u) * (sum - 2u - 2u * r);
 }
 
-/// As find_ring of triangles.
-FUNCTION uint find_quad_ring(uint r, uint bit, uint last, uint sum, uint inner) {
-    const uint candidate = r + bit;
-    return candidate <= last && quad_ring_start(candidate, sum) <= inner ? candidate : r;
-}
-
 FUNCTION uint choose_of_four(uint side, uint a, uint b, uint c, uint d) {
     const bool odd = (side & 1u) != 0u;  // by bits, for compilers make a switch of comparisons
     return (side & 2u) == 0u ? (odd ? b : a) : (odd ? d : c);
@@ -109,8 +104,18 @@ FUNCTION bool quad_has_rings(QuadPatch p) {
     return (p.flags & (RECORD_CULLED | RECORD_SINGLE | RECORD_UNIFORM)) == 0u;
 }
 
-/// Point i of a patch with rings. Branch-free.
-FUNCTION DomainPoint quad_ring_point(QuadPatch p, uint i) {
+/// The rings of a run of points that begins with point i, which may be on the outer ring.
+FUNCTION RingWindow quad_point_window(QuadPatch p, uint i) {
+    const uint sum = p.inside_u.points + p.inside_v.points;
+    const uint inner = i < p.outer_points ? 0u : i - p.outer_points;
+#define POINT_RING_START(r) quad_ring_start(r, sum)
+    FIND_RING_WINDOW(window, 1u, p.rings + p.final_row, inner, POINT_RING_START);
+#undef POINT_RING_START
+    return window;
+}
+
+/// Point i of a patch with rings, in the run that `window` belongs to. Branch-free.
+FUNCTION DomainPoint quad_ring_point(QuadPatch p, RingWindow window, uint i) {
     // On the outer ring:
     const uint start1 = p.edge0.points - 1u;
     const uint start2 = start1 + p.edge1.points - 1u;
@@ -126,10 +131,8 @@ FUNCTION DomainPoint quad_ring_point(QuadPatch p, uint i) {
     const uint nu = p.inside_u.points;
     const uint nv = p.inside_v.points;
     const uint inner = i - p.outer_points;
-    const uint last = p.rings + p.final_row;
-    uint r = 1u;
-    FOR_BITS(bit, r = find_quad_ring(r, bit, last, nu + nv, inner))
-    const uint q = inner - quad_ring_start(r, nu + nv);
+    const uint r = ring_of(window, inner);
+    const uint q = inner - ring_start_of(window, inner);
     const bool on_row = r > p.rings;
     const uint su = nu - 1u - 2u * r;
     const uint sv = nv - 1u - 2u * r;
@@ -226,19 +229,24 @@ FUNCTION uint quad_row_start(uint j, uint sum) {
     return 4u * ((j - 2u) * sum + 4u - 2u * (j - 1u) * j);
 }
 
-FUNCTION uint find_quad_row(uint j, uint bit, uint last, uint sum, uint inner) {
-    const uint candidate = j + bit;
-    return candidate <= last && quad_row_start(candidate, sum) <= inner ? candidate : j;
+/// The rows of a run of triangles that begins with triangle t, none of the first row.
+FUNCTION RingWindow quad_row_window(QuadPatch p, uint t) {
+    const uint sum = p.inside_u.points + p.inside_v.points;
+    const uint inner = t - quad_outer_count(p);
+#define QUAD_ROW_START(j) quad_row_start(j, sum)
+    FIND_RING_WINDOW(window, 2u, p.rings + p.final_row, inner, QUAD_ROW_START);
+#undef QUAD_ROW_START
+    return window;
 }
 
-/// Triangle t of the rows after the first and of the strip in the middle. Branch-free.
-FUNCTION Triangle quad_inner_triangle(QuadPatch p, uint t) {
+/// Triangle t of the rows after the first and of the strip in the middle, in the run that `window` belongs to.
+/// Branch-free.
+FUNCTION Triangle quad_inner_triangle(QuadPatch p, RingWindow window, uint t) {
     const uint sum = p.inside_u.points + p.inside_v.points;
     const uint inner = t - quad_outer_count(p);
     const uint last = p.rings + p.final_row;
-    uint j = 2u;
-    FOR_BITS(bit, j = find_quad_row(j, bit, last, sum, inner))
-    const uint in_row = inner - quad_row_start(j, sum);
+    const uint j = ring_of(window, inner);
+    const uint in_row = inner - ring_start_of(window, inner);
     const uint row_count = 4u * (sum - 4u * j);
     const bool on_strip = j > last || in_row >= row_count;
     const Triangle strip = quad_strip_triangle(p, j > last ? inner : in_row - row_count);
@@ -257,7 +265,7 @@ FUNCTION Triangle quad_inner_triangle(QuadPatch p, uint t) {
 
 FUNCTION DomainPoint quad_point(QuadPatch p, uint i) {
     if (quad_has_rings(p)) {
-        return quad_ring_point(p, i);
+        return quad_ring_point(p, quad_point_window(p, i), i);
     }
     return quad_plain_point(p, i);
 }

@@ -9,6 +9,7 @@
 #ifndef TESSERA_TESSELLATOR_TRIANGLE_H
 #define TESSERA_TESSELLATOR_TRIANGLE_H
 
+#include "tessellator/ring_window.h"
 #include "tessellator/row.h"
 
 KERNELS_BEGIN
@@ -81,12 +82,6 @@ FUNCTION uint ring_start(uint r, uint points) {
     return 3u * (r - 1u) * (points - 1u - r);
 }
 
-/// A step of the search for the ring of inner point `inner`: r + bit where that ring begins no later, else r.
-FUNCTION uint find_ring(uint r, uint bit, uint rings, uint points, uint inner) {
-    const uint candidate = r + bit;
-    return candidate <= rings && ring_start(candidate, points) <= inner ? candidate : r;
-}
-
 /// Row y of the even grid of a level begins at this point: y rows of level + 1, level, ... points.
 FUNCTION uint uniform_row_start(uint y, uint level) {
     return y * (level + 1u) - ((y * (y - 1u)) >> 1u);
@@ -110,17 +105,25 @@ FUNCTION bool triangle_has_rings(TrianglePatch p) {
     return (p.flags & (RECORD_CULLED | RECORD_SINGLE | RECORD_UNIFORM)) == 0u;
 }
 
-/// Point i of a patch with rings. Branch-free.
-FUNCTION DomainPoint triangle_ring_point(TrianglePatch p, uint i) {
+/// The rings of a run of points that begins with point i, which may be on the outer ring.
+FUNCTION RingWindow triangle_point_window(TrianglePatch p, uint i) {
+    const uint inner = i < p.outer_points ? 0u : i - p.outer_points;
+#define POINT_RING_START(r) ring_start(r, p.inside.points)
+    FIND_RING_WINDOW(window, 1u, p.rings, inner, POINT_RING_START);
+#undef POINT_RING_START
+    return window;
+}
+
+/// Point i of a patch with rings, in the run that `window` belongs to. Branch-free.
+FUNCTION DomainPoint triangle_ring_point(TrianglePatch p, RingWindow window, uint i) {
     const uint n = p.inside.points;
     const bool on_outer = i < p.outer_points;
     const uint start1 = p.edge0.points - 1u;
     const uint start2 = start1 + p.edge1.points - 1u;
     const uint inner = i - p.outer_points;
-    uint r = 1u;
-    FOR_BITS(bit, r = find_ring(r, bit, p.rings, n, inner))
+    const uint r = ring_of(window, inner);
     const uint segments = n - 1u - 2u * r;
-    const uint q = inner - ring_start(r, n);
+    const uint q = inner - ring_start_of(window, inner);
     const bool is_centre = !on_outer && (r > p.rings || q >= 3u * segments);
     const uint outer_side = i < start1 ? 0u : (i < start2 ? 1u : 2u);
     const uint inner_side = q < segments ? 0u : (q < 2u * segments ? 1u : 2u);
@@ -189,19 +192,24 @@ FUNCTION uint triangle_row_start(uint j, uint points) {
     return 6u * ((j - 2u) * points + 2u - (j - 1u) * j);
 }
 
-FUNCTION uint find_triangle_row(uint j, uint bit, uint last, uint points, uint inner) {
-    const uint candidate = j + bit;
-    return candidate <= last && triangle_row_start(candidate, points) <= inner ? candidate : j;
+/// The rows of a run of triangles that begins with triangle t, none of the first row.
+FUNCTION RingWindow triangle_row_window(TrianglePatch p, uint t) {
+    const uint n = p.inside.points;
+    const uint inner = t - triangle_outer_count(p);
+#define TRIANGLE_ROW_START(j) triangle_row_start(j, n)
+    FIND_RING_WINDOW(window, 2u, (n - 1u) >> 1u, inner, TRIANGLE_ROW_START);
+#undef TRIANGLE_ROW_START
+    return window;
 }
 
-/// Triangle t of the rows after the first, or the one over the last ring that an odd inside factor leaves. Branch-free.
-FUNCTION Triangle triangle_inner_triangle(TrianglePatch p, uint t) {
+/// Triangle t of the rows after the first, or the one over the last ring that an odd inside factor leaves, in the run
+/// that `window` belongs to. Branch-free.
+FUNCTION Triangle triangle_inner_triangle(TrianglePatch p, RingWindow window, uint t) {
     const uint n = p.inside.points;
     const uint inner = t - triangle_outer_count(p);
     const uint last = (n - 1u) >> 1u;  // the innermost row
-    uint j = 2u;
-    FOR_BITS(bit, j = find_triangle_row(j, bit, last, n, inner))
-    const uint in_row = inner - triangle_row_start(j, n);
+    const uint j = ring_of(window, inner);
+    const uint in_row = inner - ring_start_of(window, inner);
     const uint points = n - 2u * j;  // of the inner ring on each side, both corners included
     const bool is_centre = j > last || in_row >= 6u * points;
     const uint side = in_row < 2u * points ? 0u : (in_row < 4u * points ? 1u : 2u);
@@ -216,7 +224,7 @@ FUNCTION Triangle triangle_inner_triangle(TrianglePatch p, uint t) {
 
 FUNCTION DomainPoint triangle_point(TrianglePatch p, uint i) {
     if (triangle_has_rings(p)) {
-        return triangle_ring_point(p, i);
+        return triangle_ring_point(p, triangle_point_window(p, i), i);
     }
     return triangle_plain_point(p, i);
 }

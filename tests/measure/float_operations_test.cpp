@@ -40,10 +40,9 @@ TEST(FloatOperations, RootsAndDivisionsAreCountedApart) {
 }
 
 TEST(FloatOperations, OfAKernelAreThoseOfAllItCalls) {
-    // The linear scheme: barycentric weights, which the source asks for twice; position, normal and texture
-    // coordinates; a unit normal.
+    // The linear scheme: barycentric weights; position, normal and texture coordinates; a unit normal.
     const measure::FloatOperations linear = count("vertices_linear_linear_triangle_shared");
-    EXPECT_EQ(linear.total(), 2u * 3 + 8 * 5 + 24);
+    EXPECT_EQ(linear.total(), 3u + 8 * 5 + 24);
     // Patterns that a patch makes for itself take integers only.
     EXPECT_EQ(count("vertices_linear_linear_triangle").total(), linear.total());
     const measure::FloatOperations net = count("control_net_linear_linear_triangle");
