@@ -1,4 +1,4 @@
-// Micro-benchmarks of the stages that cost: control nets and emission of 20,000 triangle patches, on every device.
+// Micro-benchmarks of the stages and of whole jobs of 20,000 triangle patches, on every device.
 //
 //   build/release/bench_stages --benchmark_filter=pn --benchmark_repetitions=5
 //
@@ -7,6 +7,8 @@
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <array>
+#include <chrono>
 
 namespace {
 
@@ -40,6 +42,51 @@ void control_nets(benchmark::State& state, const std::string& id, Scheme scheme)
                                                      benchmark::Counter::kIsIterationInvariantRate);
 }
 
+void counting(benchmark::State& state, const std::string& id, Scheme scheme) {
+    gpu::Device device = backends::open_device(id);
+    Job job(device, patch_set(), options_of(scheme, static_cast<float>(state.range(0))), device.limits());
+    for (auto _ : state) {
+        job.count(0);
+    }
+    state.counters["patches/s"] = benchmark::Counter(static_cast<double>(job.chunk(0).patch_count),
+                                                     benchmark::Counter::kIsIterationInvariantRate);
+}
+
+/// A job as `tessera bench` runs it, and how long the host waits in each of its steps.
+void whole_job(benchmark::State& state, const std::string& id, Scheme scheme) {
+    using Clock = std::chrono::steady_clock;
+    gpu::Device device = backends::open_device(id);
+    Job job(device, patch_set(), options_of(scheme, static_cast<float>(state.range(0))), device.limits());
+    std::uint64_t vertices = 0;
+    std::array<Clock::duration, 3> steps{};
+    job.count(0);
+    job.prepare();  // reserves the output
+    for (auto _ : state) {
+        const Clock::time_point start = Clock::now();
+        job.count(0);
+        const Clock::time_point counted = Clock::now();
+        const std::vector<Batch>& batches = job.prepare();
+        const Clock::time_point prepared = Clock::now();
+        vertices = 0;
+        for (const Batch& batch : batches) {
+            job.emit(batch, 0);
+            vertices += batch.vertex_count;
+        }
+        device.queue().wait();
+        steps[0] += counted - start;
+        steps[1] += prepared - counted;
+        steps[2] += Clock::now() - prepared;
+    }
+    const auto seconds = [](Clock::duration d) {
+        return benchmark::Counter(std::chrono::duration<double>(d).count(), benchmark::Counter::kAvgIterations);
+    };
+    state.counters["count"] = seconds(steps[0]);
+    state.counters["prepare"] = seconds(steps[1]);
+    state.counters["emit"] = seconds(steps[2]);
+    state.counters["vertices/s"] =
+        benchmark::Counter(static_cast<double>(vertices), benchmark::Counter::kIsIterationInvariantRate);
+}
+
 void emission(benchmark::State& state, const std::string& id, Scheme scheme) {
     gpu::Device device = backends::open_device(id);
     Job job(device, patch_set(), options_of(scheme, static_cast<float>(state.range(0))), device.limits());
@@ -69,6 +116,13 @@ int main(int argc, char** argv) {
                 ->UseRealTime();
             benchmark::RegisterBenchmark((what + "/emission").c_str(), emission, info.id, scheme)
                 ->Arg(1)
+                ->Arg(16)
+                ->UseRealTime()
+                ->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark((what + "/counting").c_str(), counting, info.id, scheme)
+                ->Arg(16)
+                ->UseRealTime();
+            benchmark::RegisterBenchmark((what + "/whole_job").c_str(), whole_job, info.id, scheme)
                 ->Arg(16)
                 ->UseRealTime()
                 ->Unit(benchmark::kMillisecond);

@@ -215,6 +215,7 @@ struct Job::State {
         for (std::uint32_t i = 0; i < chunk.patch_count; ++i) {
             domains[patches::is_quad(corners[i]) ? 1 : 0].patches.push_back(i);
         }
+        if (counts_are_known()) sum_pattern_sizes(corners);
         std::uint32_t start = 0;
         for (DomainStages& d : domains) {
             d.list_start = start;
@@ -223,6 +224,23 @@ struct Job::State {
             }
             start += static_cast<std::uint32_t>(d.patches.size());
         }
+    }
+
+    /// With shared patterns the host knows what the scan will find, and need not wait for it.
+    bool counts_are_known() const {
+        return domains[0].has_pattern() && (!patches.has_quads || domains[1].has_pattern());
+    }
+
+    void sum_pattern_sizes(std::span<const patches::PatchCorners> corners) {
+        offsets.resize(corners.size() + 1);
+        PatchOffset sum{};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            offsets[i] = sum;
+            const PatchOffset& size = domains[patches::is_quad(corners[i]) ? 1 : 0].pattern.size;
+            sum.vertex += size.vertex;
+            sum.index += size.index;
+        }
+        offsets[corners.size()] = sum;
     }
 
     void upload_corner_tags(const Chunk& chunk) {
@@ -338,7 +356,7 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
     s.parameters.upload(s.device);
     s.device.queue().submit(encoder.finish());
     s.clock.collect(s.device);
-    s.offsets = s.counter.read_offsets(s.device, chunk.patch_count);
+    if (!s.counts_are_known()) s.offsets = s.counter.read_offsets(s.device, chunk.patch_count);
     return s.offsets;
 }
 

@@ -37,6 +37,7 @@ SharedPattern make_shared_pattern(gpu::Device device, Domain domain, const Tesse
         points[margin + stride + i] = pattern.points[i].v;
     }
     shared.stride = static_cast<std::uint32_t>(stride);
+    shared.size = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(pattern.indices.size())};
     shared.points = upload(device, "shared domain points", points);
     shared.indices = upload(device, "shared indices", pattern.indices);
     return shared;

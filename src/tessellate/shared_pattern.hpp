@@ -4,6 +4,7 @@
 
 #include "gpu/device.hpp"
 #include "tessellate/options.hpp"
+#include "tessellate/plan.hpp"
 
 #include <cstdint>
 
@@ -15,6 +16,7 @@ struct SharedPattern {
     gpu::Buffer points;        ///< u and v as kernels/layout.h says at PATTERN_MARGIN
     gpu::Buffer indices;       ///< of the pattern's points, from 0 on
     std::uint32_t stride = 0;  ///< as kernels/layout.h's EmitParams::pattern
+    PatchOffset size{};        ///< vertices and indices of every patch
 
     std::uint64_t device_bytes() const { return points.size() + indices.size(); }
 };
