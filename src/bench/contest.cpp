@@ -7,9 +7,18 @@ namespace tessera::bench {
 namespace {
 
 constexpr std::size_t least_samples = 3;
-// Thread pools look out for more work for a while, and would take time from whoever comes next. This thread keeps awake,
-// for a processor that sleeps is slow to begin.
-constexpr std::chrono::milliseconds rest{2};
+// A turn begins with runs that are not timed, for as long as this: the threads of whoever had the turn before come to
+// rest, and one's own wake up. Long runs are hardly touched by either.
+constexpr std::chrono::milliseconds settling{2};
+constexpr double long_run = 0.1;
+
+void settle(const Contestant& contestant) {
+    if (!contestant.seconds.empty() && contestant.seconds.back() > long_run) return;
+    const auto end = std::chrono::steady_clock::now() + settling;
+    do {
+        contestant.run();
+    } while (std::chrono::steady_clock::now() < end);
+}
 
 bool sits_out(const Contestant& contestant, const Effort& effort) {
     return contestant.seconds.size() >= least_samples &&
@@ -19,9 +28,6 @@ bool sits_out(const Contestant& contestant, const Effort& effort) {
 }  // namespace
 
 double time_once(const std::function<void()>& run) {
-    const auto rested = std::chrono::steady_clock::now() + rest;
-    while (std::chrono::steady_clock::now() < rested) {
-    }
     const auto start = std::chrono::steady_clock::now();
     run();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -39,6 +45,7 @@ void interleave(std::vector<Contestant>& contestants, const Effort& effort) {
     for (int i = 0; i < effort.repetitions; ++i) {
         for (Contestant& contestant : contestants) {
             if (sits_out(contestant, effort)) continue;
+            settle(contestant);
             contestant.seconds.push_back(time_once(contestant.run));
             if (contestant.after) contestant.after();
         }
