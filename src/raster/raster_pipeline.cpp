@@ -158,9 +158,9 @@ void RasterPipeline::upload(const render::TriangleBatch& batch, std::span<const 
         device_.queue().write_buffer(vertices_, at, std::as_bytes(used));
         return;
     }
-    std::vector<Element> corners(batch.indices.size());
-    render::write_corners(batch, of_vertices, corners.data());
-    device_.queue().write_buffer(vertices_, at, std::as_bytes(std::span(corners)));
+    corners_.resize(batch.indices.size() * sizeof(Element));
+    render::write_corners(batch, of_vertices, reinterpret_cast<Element*>(corners_.data()));
+    device_.queue().write_buffer(vertices_, at, corners_);
 }
 
 void RasterPipeline::upload(const render::TriangleBatch& batch, const render::Draw& draw) {

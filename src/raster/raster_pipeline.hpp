@@ -62,6 +62,7 @@ private:
     bool is_set_up_ = false;         // the batch has records and bounds
     bool is_visible_clear_ = false;  // all of visible_ is VISIBLE_NONE: shading leaves it so
     std::vector<RasterWindow>* windows_ = nullptr;
+    std::vector<std::byte> corners_;
     std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
     gpu::Buffer vertices_, indices_, screen_, records_, bounds_;
     gpu::Buffer counts_, totals_, bins_, visible_, picture_;

@@ -180,9 +180,28 @@ TEST(Mikktspace, DegenerateTrianglesTakeTheirNeighbours) {
         expect_near(tangents[0][c], {1, 0, 0, -1});
 }
 
+// Half of the texture lies the other way round: all of the quad goes with the larger half.
+TEST(Mikktspace, AQuadHasOneHandedness) {
+    for (const bool larger_first : {false, true}) {
+        const float first = larger_first ? 3.0f : 1.0f, second = larger_first ? 1.0f : 3.0f;
+        // The diagonal from corner 0 to corner 2 is the shorter one in the texture.
+        const std::vector<Vertex> vertices{
+            vertex({0, 0, 0}, {0, 0, 1}, {0, 0}), vertex({1, 0, 0}, {0, 0, 1}, {first, -first}),
+            vertex({1, 1, 0}, {0, 0, 1}, {0, 0.5f}), vertex({0, 1, 0}, {0, 0, 1}, {second, second})};
+        const auto tangents = corner_tangents(vertices, std::vector<PatchCorners>{{0, 1, 2, 3}});
+        for (const vec4& t : tangents[0])
+            EXPECT_EQ(t.w, larger_first ? -1.0f : 1.0f);
+    }
+}
+
 TEST(Mikktspace, HugeAndInfiniteCoordinatesGiveFiniteTangents) {
     for (const float huge : {1e30f, 3e38f, INFINITY, NAN, 1e-38f}) {
         std::vector<Vertex> vertices = strip_vertices();
+        std::mt19937 random(7);
+        for (Vertex& v : vertices) {
+            for (float& x : v.position)
+                x += static_cast<float>(random() % 1000) * 1e-3f;
+        }
         vertices[2].uv[0] = huge;
         vertices[5].uv[1] = -huge;
         for (const auto& face : corner_tangents(vertices, strip)) {
@@ -256,6 +275,12 @@ TEST(CornerAttributes, TakeTheTangentsOfTheFileWhereThereAreAny) {
     EXPECT_EQ(set.corner_attributes.at(0)[0].tangent[0], 1.0f);
     EXPECT_EQ(set.corner_attributes[1][2].tangent[1], 1.0f);
     EXPECT_EQ(set.corner_attributes[1][2].tangent[3], 1.0f);
+    // Computed ones are for the coordinates of the map.
+    scene.materials[0].maps.normal->transform[0][0] = -1.0f;
+    const PatchSet mirrored = make_patches(scene);
+    EXPECT_EQ(mirrored.corner_attributes.at(0)[0].tangent[0], -1.0f);
+    EXPECT_EQ(mirrored.corner_attributes[0][0].tangent[3], 1.0f);
+    EXPECT_EQ(mirrored.corner_attributes[1][2].tangent[1], 1.0f);
     // What no normal map needs costs nothing.
     scene.materials[0].maps.normal.reset();
     EXPECT_TRUE(make_patches(scene).corner_attributes.empty());
