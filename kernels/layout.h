@@ -12,6 +12,10 @@
 // a vertex, so that the same code streams both.
 #define TANGENT_FLOATS VERTEX_FLOATS
 
+// What a vertex or a patch's corner may carry besides (base/vertex_attributes.hpp): red, green, blue, alpha, tangent x
+// y z, handedness; as long as a vertex too.
+#define ATTRIBUTE_FLOATS VERTEX_FLOATS
+
 // What shapes the surface at a control vertex, read by the schemes phong and stpn only: sharpness, bias, tension,
 // alpha, the direction of a crease that runs through it, the normal of a crease's smooth share (schemes/tags.h).
 #define VERTEX_TAG_FLOATS 10u

@@ -75,17 +75,23 @@ vk::Pipeline RasterPipelines::mesh(const MeshState& state) {
         const auto shading = static_cast<std::uint32_t>(state.shading);
         const vk::SpecializationMapEntry entry(0, 0, sizeof(shading));
         const vk::SpecializationInfo constants(1, &entry, sizeof(shading), &shading);
-        const vk::VertexInputBindingDescription binding(0, sizeof(Vertex), vk::VertexInputRate::eVertex);
+        const auto attribute_rate = state.coloured ? vk::VertexInputRate::eVertex : vk::VertexInputRate::eInstance;
+        const std::array bindings = {
+            vk::VertexInputBindingDescription(0, sizeof(Vertex), vk::VertexInputRate::eVertex),
+            vk::VertexInputBindingDescription(1, sizeof(VertexAttributes), attribute_rate),
+        };
         const std::array attributes = {
             vk::VertexInputAttributeDescription(0, 0, vk::Format::eR32G32B32Sfloat, offsetof(Vertex, position)),
             vk::VertexInputAttributeDescription(1, 0, vk::Format::eR32G32B32Sfloat, offsetof(Vertex, normal)),
             vk::VertexInputAttributeDescription(2, 0, vk::Format::eR32G32Sfloat, offsetof(Vertex, uv)),
+            vk::VertexInputAttributeDescription(3, 1, vk::Format::eR32G32B32A32Sfloat,
+                                                offsetof(VertexAttributes, color)),
         };
         PipelineParts parts;
         parts.stages = {
             vk::PipelineShaderStageCreateInfo({}, ShaderStage::eVertex, *mesh_vertex_, "main"),
             vk::PipelineShaderStageCreateInfo({}, ShaderStage::eFragment, *mesh_fragment_, "main", &constants)};
-        parts.vertex_input.setVertexBindingDescriptions(binding).setVertexAttributeDescriptions(attributes);
+        parts.vertex_input.setVertexBindingDescriptions(bindings).setVertexAttributeDescriptions(attributes);
         // Counter-clockwise as the viewer sees it; Vulkan means the same by it once the projection turns y.
         parts.raster.setFrontFace(vk::FrontFace::eCounterClockwise)
             .setCullMode(state.double_sided ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);

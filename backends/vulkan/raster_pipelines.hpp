@@ -28,6 +28,7 @@ struct MeshState {
     render::Shading shading = render::Shading::phong;
     bool double_sided = false;
     bool blend = false;
+    bool coloured = false;  ///< vertices have attributes of their own; else one record holds for all
     auto operator<=>(const MeshState&) const = default;
 };
 

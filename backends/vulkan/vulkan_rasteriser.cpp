@@ -76,20 +76,13 @@ public:
         state_ = State::drawing;
     }
 
-    void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
-              std::uint32_t material) override {
+    using Rasteriser::draw;
+    void draw(const render::Draw& draw) override {
         require(State::drawing, "draw", "set_materials");
-        if (material >= materials_.size()) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("A draw names material {}, but there are {}.", material, materials_.size()));
-        }
-        if (indices.size() % 3 != 0) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("A draw has {} indices, which is no multiple of 3.", indices.size()));
-        }
-        while (!indices.empty()) {
-            const render::TriangleBatch batch = render::take_batch(indices, vertices.size());
-            draw_batch(batch, vertices, materials_[material]);
+        render::check_draw(draw, materials_.size());
+        for (auto indices = draw.indices; !indices.empty();) {
+            const render::TriangleBatch batch = render::take_batch(indices, draw.vertices.size());
+            draw_batch(batch, draw);
             indices = indices.subspan(batch.indices.size());
         }
     }
@@ -162,38 +155,56 @@ private:
         commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines_.mesh_layout(), 0, frame_set_, {});
     }
 
-    void draw_batch(const render::TriangleBatch& batch, std::span<const Vertex> vertices,
-                    const scene::Material& material) {
+    void draw_batch(const render::TriangleBatch& batch, const render::Draw& draw) {
+        const scene::Material& material = materials_[draw.material];
         const bool wireframe = shading_ == render::Shading::wireframe;
         const bool indexed = batch.is_local() && !wireframe;  // a wireframe tells corners by their place in the draw
-        const std::uint64_t vertex_bytes =
-            (indexed ? batch.vertex_count : std::uint64_t{batch.indices.size()}) * sizeof(Vertex);
+        const bool coloured = !draw.attributes.empty();
+        const std::uint64_t vertex_count = indexed ? batch.vertex_count : std::uint64_t{batch.indices.size()};
+        const std::uint64_t vertex_bytes = vertex_count * sizeof(Vertex);
+        const std::uint64_t attribute_bytes = (coloured ? vertex_count : 1) * sizeof(VertexAttributes);
         const std::uint64_t index_bytes = indexed ? batch.indices.size_bytes() : 0;
-        const RasterStream::Piece piece = stream_.reserve(vertex_bytes + index_bytes);
-        if (indexed) {
-            std::memcpy(piece.data, &vertices[batch.first_vertex], vertex_bytes);
-            render::write_local_indices(batch, reinterpret_cast<std::uint32_t*>(piece.data + vertex_bytes));
+        const std::uint64_t indices_at = vertex_bytes + attribute_bytes;
+        const RasterStream::Piece piece = stream_.reserve(indices_at + index_bytes);
+        write_vertices(batch, draw.vertices, indexed, piece.data);
+        if (coloured) {
+            write_vertices(batch, draw.attributes, indexed, piece.data + vertex_bytes);
         } else {
-            render::write_corners(batch, vertices, reinterpret_cast<Vertex*>(piece.data));
+            const VertexAttributes white{};
+            std::memcpy(piece.data + vertex_bytes, &white, sizeof(white));
+        }
+        if (indexed) {
+            render::write_local_indices(batch, reinterpret_cast<std::uint32_t*>(piece.data + indices_at));
         }
 
         const bool blend = material.alpha_mode == scene::AlphaMode::blend && !wireframe;
         const vk::raii::CommandBuffer& commands = stream_.commands();
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics,
-                              pipelines_.mesh({shading_, material.double_sided, blend}));
+                              pipelines_.mesh({shading_, material.double_sided, blend, coloured}));
         commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines_.mesh_layout(), 1,
                                     textures_.of(material), {});
         MaterialConstants constants = constants_of(material);
         if (!blend) constants.keeps_alpha = 0;
         commands.pushConstants<MaterialConstants>(pipelines_.mesh_layout(), vk::ShaderStageFlagBits::eFragment, 0,
                                                   constants);
-        commands.bindVertexBuffers(0, piece.buffer, piece.offset);
+        commands.bindVertexBuffers(0, {piece.buffer, piece.buffer}, {piece.offset, piece.offset + vertex_bytes});
         const auto count = static_cast<std::uint32_t>(batch.indices.size());
         if (indexed) {
-            commands.bindIndexBuffer(piece.buffer, piece.offset + vertex_bytes, vk::IndexType::eUint32);
+            commands.bindIndexBuffer(piece.buffer, piece.offset + indices_at, vk::IndexType::eUint32);
             commands.drawIndexed(count, 1, 0, 0, 0);
         } else {
             commands.draw(count, 1, 0, 0);
+        }
+    }
+
+    template <typename Element>
+    static void write_vertices(const render::TriangleBatch& batch, std::span<const Element> of_vertices, bool indexed,
+                               std::byte* to) {
+        if (indexed) {
+            const auto used = of_vertices.subspan(batch.first_vertex, batch.vertex_count);
+            std::memcpy(to, used.data(), used.size_bytes());
+        } else {
+            render::write_corners(batch, of_vertices, reinterpret_cast<Element*>(to));
         }
     }
 

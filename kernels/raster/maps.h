@@ -15,11 +15,6 @@ STRUCT(Surface) {
     float occlusion;
     Vector emissive;
     Vector bump;  // normal in the tangent frame
-    // Rows of the normal map's coordinates in the vertices' u and v.
-    float uu;
-    float uv;
-    float vu;
-    float vv;
 };
 
 /// A coordinate of a map brought into [0, 1].
@@ -118,10 +113,6 @@ KERNELS_END
     surface.occlusion = 1.0f;                                                                                  \
     surface.emissive = LOOK_VECTOR(texels, LOOK_EMISSIVE);                                                     \
     surface.bump = make_vector(0.0f, 0.0f, 1.0f);                                                              \
-    surface.uu = 1.0f;                                                                                         \
-    surface.uv = 0.0f;                                                                                         \
-    surface.vu = 0.0f;                                                                                         \
-    surface.vv = 1.0f;                                                                                         \
     {                                                                                                          \
         const float u = weigh(inside, ca.u, cb.u, cc.u);                                                       \
         const float v = weigh(inside, ca.v, cb.v, cc.v);                                                       \
@@ -168,10 +159,6 @@ KERNELS_END
                 ADD_MAP_TEXEL(found, texels, coded, begin + taps.d, part_of * taps.wd)                         \
             }                                                                                                  \
             surface = apply_map(surface, kind, LOOK_FLOAT(texels, map + MAP_STRENGTH), found);                 \
-            surface.uu = choose(kind == MAP_NORMAL, row_u.x, surface.uu);                                      \
-            surface.uv = choose(kind == MAP_NORMAL, row_u.y, surface.uv);                                      \
-            surface.vu = choose(kind == MAP_NORMAL, row_v.x, surface.vu);                                      \
-            surface.vv = choose(kind == MAP_NORMAL, row_v.y, surface.vv);                                      \
         }                                                                                                      \
     }
 

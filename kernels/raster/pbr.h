@@ -27,10 +27,6 @@ FUNCTION float positive_quotient(float a, float b) {
     return a * (r * r);
 }
 
-FUNCTION float unit_clamp(float x) {
-    return at_most(at_least(x, 0.0f), 1.0f);
-}
-
 FUNCTION Vector blend_vectors(Vector a, Vector b, float t) {
     return make_vector(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z));
 }
@@ -72,25 +68,28 @@ FUNCTION Vector sky_light(Vector zenith, Vector horizon, Vector ground, float he
     return blend_vectors(ground, blend_vectors(horizon, zenith, unit_clamp(height)), flush_tiny(above));
 }
 
-/// The normal that a normal map says. Tangent and bitangent are the directions in which the map's coordinates grow and
-/// shrink on the triangle (green points up, v down), made perpendicular to the normal.
-FUNCTION Vector bumped_normal(Surface s, Vector n, float side, Corner a, Corner b, Corner c) {
-    const Vector e1 = subtract(b.camera, a.camera);
-    const Vector e2 = subtract(c.camera, a.camera);
-    const float du1 = flush_tiny(s.uu * (b.u - a.u) + s.uv * (b.v - a.v));
-    const float dv1 = flush_tiny(s.vu * (b.u - a.u) + s.vv * (b.v - a.v));
-    const float du2 = flush_tiny(s.uu * (c.u - a.u) + s.uv * (c.v - a.v));
-    const float dv2 = flush_tiny(s.vu * (c.u - a.u) + s.vv * (c.v - a.v));
-    const float turn = choose(flush_tiny(du1 * dv2 - du2 * dv1) < 0.0f, -side, side);
-    const Vector nowhere = make_vector(0.0f, 0.0f, 0.0f);
-    const Vector along_u = unit_vector(flush_vector(subtract(scale(e1, dv2), scale(e2, dv1))), nowhere);
-    const Vector against_v = unit_vector(flush_vector(subtract(scale(e1, du2), scale(e2, du1))), nowhere);
-    const Vector tangent = unit_vector(flush_vector(subtract(along_u, scale(n, dot_product(n, along_u)))), nowhere);
-    const Vector upward = unit_vector(flush_vector(subtract(against_v, scale(n, dot_product(n, against_v)))), nowhere);
-    const float x = s.bump.x * turn;
-    const float y = s.bump.y * turn;
-    const Vector bumped = add(add(scale(tangent, x), scale(upward, y)), scale(n, at_least(s.bump.z, 0.0f)));
-    return unit_vector(flush_vector(bumped), n);
+/// Components under 2^-40 are zero, so that no difference of products becomes a denormal; those that no tangent or
+/// normal has are zero too.
+FUNCTION float frame_component(float x) {
+    return choose(is_below(x, 131u), choose(is_below(x, 87u), 0.0f, x), 0.0f);
+}
+
+FUNCTION Vector frame_vector(Vector v) {
+    return make_vector(frame_component(v.x), frame_component(v.y), frame_component(v.z));
+}
+
+/// The normal that a normal map says, in a frame of interpolated normal and tangent as MikkTSpace decodes: neither of
+/// unit length nor at right angles. `plain` stands in for a sum without length; it is the normal where there is no
+/// tangent either.
+FUNCTION Vector bumped_normal(Vector bump, Vector normal, Vector tangent, float handedness, Vector plain) {
+    const Vector n = frame_vector(normal);
+    const Vector t = frame_vector(tangent);
+    const Vector b = frame_vector(scale(cross_product(n, t), choose(handedness < 0.0f, -1.0f, 1.0f)));
+    const float x = choose(is_below(bump.x, 97u), 0.0f, bump.x);
+    const float y = choose(is_below(bump.y, 97u), 0.0f, bump.y);
+    const float z = at_least(bump.z, 0.0f);
+    const Vector sum = add(add(scale(t, x), scale(b, y)), scale(n, choose(is_below(z, 97u), 0.0f, z)));
+    return unit_vector(flush_vector(sum), plain);
 }
 
 /// Narkowicz, "ACES filmic tone mapping curve", 2015: x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14).
@@ -106,89 +105,107 @@ FUNCTION float toned(float light, float exposure, uint curve) {
 
 KERNELS_END
 
-// Steps of shading (shading.h), after SHADE_MAPS and SHADE_NORMAL.
-#define SHADE_PBR_LIGHT(colour, p, back)                                                                            \
-    const Vector camera = weigh_vectors(inside, ca.camera, cb.camera, cc.camera);                                   \
-    const Vector to_eye = unit_vector(make_vector(-camera.x, -camera.y, -camera.z), make_vector(0.0f, 0.0f, 1.0f)); \
-    const Vector n = bumped_normal(surface, turn_to_camera(p, normal), choose(back, -1.0f, 1.0f), ca, cb, cc);      \
-    const float n_eye = at_most(at_least(dot_product(n, to_eye), 1e-4f), 1.0f);                                     \
-    const float roughness = at_most(at_least(surface.roughness, LEAST_ROUGHNESS), 1.0f);                            \
-    const float alpha = roughness * roughness;                                                                      \
-    const float metallic = unit_clamp(surface.metallic);                                                            \
-    const Vector paint = make_vector(surface.base.red, surface.base.green, surface.base.blue);                      \
-    const Vector f0 = blend_vectors(make_vector(0.04f, 0.04f, 0.04f), paint, metallic);                             \
-    const Vector body = flush_vector(scale(paint, 1.0f - metallic));                                                \
-    const Vector zenith = LOOK_VECTOR(texels, LOOK_ZENITH);                                                         \
-    const Vector horizon = LOOK_VECTOR(texels, LOOK_HORIZON);                                                       \
-    const Vector ground = LOOK_VECTOR(texels, LOOK_GROUND);                                                         \
-    const Vector up = turn_to_camera(p, make_vector(0.0f, 1.0f, 0.0f));                                             \
-    const float up_eye = dot_product(up, to_eye);                                                                   \
-    const float up_n = dot_product(up, n);                                                                          \
-    const float up_mirror = 2.0f * dot_product(n, to_eye) * up_n - up_eye;                                          \
-    const Vector spread = sky_light(zenith, horizon, ground, up_n, 1.0f);                                           \
-    const Vector mirror = sky_light(zenith, horizon, ground, up_mirror, roughness);                                 \
-    const float karis_x = 1.0f - roughness;                                                                         \
-    const float karis_y = 0.0425f - 0.0275f * roughness;                                                            \
-    const float karis_a = at_most(karis_x * karis_x, exact_exp2(-9.28f * n_eye)) * karis_x + karis_y;               \
-    const float karis_scale = -1.04f * karis_a + (1.04f - 0.572f * roughness);                                      \
-    const float karis_bias = 1.04f * karis_a + (0.022f * roughness - 0.04f);                                        \
-    const Vector sheen = make_vector(f0.x * karis_scale + karis_bias, f0.y * karis_scale + karis_bias,              \
-                                     f0.z * karis_scale + karis_bias);                                              \
-    const Vector from_sky = add(multiply(sheen, mirror), multiply(body, spread));                                   \
-    Vector light = add(scale(from_sky, surface.occlusion), surface.emissive);                                       \
-    const uint lights = texels[LOOK_LIGHTS];                                                                        \
-    for (uint i = 0u; i < lights; ++i) {                                                                            \
-        const uint at = LIGHTS_AT + i * LIGHT_WORDS;                                                                \
-        const uint kind = texels[at];                                                                               \
-        const bool fixed_to_eye = texels[at + 1u] != 0u;                                                            \
-        const Vector place = LOOK_VECTOR(texels, at + LIGHT_PLACE);                                                 \
-        const Vector turned = turn_to_camera(p, place);                                                             \
-        const Vector seen = make_vector(clip_row(p.rx, p.ry, p.rz, p.rt, place.x, place.y, place.z),                \
-                                        clip_row(p.ux, p.uy, p.uz, p.ut, place.x, place.y, place.z),                \
-                                        clip_row(p.bx, p.by, p.bz, p.bt, place.x, place.y, place.z));               \
-        const Vector away = flush_vector(scale(subtract(seen, camera), p.unscale));                                 \
-        const bool far = kind == LIGHT_DIRECTIONAL;                                                                 \
-        const Vector ray = make_vector(choose(far, choose(fixed_to_eye, place.x, turned.x), away.x),                \
-                                       choose(far, choose(fixed_to_eye, place.y, turned.y), away.y),                \
-                                       choose(far, choose(fixed_to_eye, place.z, turned.z), away.z));               \
-        const Vector to_light = unit_vector(ray, n);                                                                \
-        const float squared = at_most(at_least(flush_tiny(dot_product(away, away)), 1e-12f), 1e17f);                \
-        const float reach = flush_tiny(squared * flushed_square(LOOK_FLOAT(texels, at + LIGHT_RANGE)));             \
-        const float window = unit_clamp(1.0f - flushed_square(reach));                                              \
-        const Vector aim = turn_to_camera(p, LOOK_VECTOR(texels, at + LIGHT_SPOT));                                 \
-        const float inner = unit_clamp(-dot_product(aim, to_light) * LOOK_FLOAT(texels, at + LIGHT_CONE) +          \
-                                       LOOK_FLOAT(texels, at + LIGHT_CONE + 1u));                                   \
-        const float cone = choose(kind == LIGHT_SPOTTED, flushed_square(inner), 1.0f);                              \
-        const float faded = choose(far, 1.0f, flush_tiny((window * cone) * positive_quotient(1.0f, squared)));      \
-        const Vector share = flush_vector(reflected_share(n, to_light, to_eye, n_eye, body, f0, alpha));            \
-        const Vector intensity = flush_vector(scale(LOOK_VECTOR(texels, at + LIGHT_COLOUR), faded));                \
-        light = add(light, multiply(share, intensity));                                                             \
-    }                                                                                                               \
-    const bool unlit = texels[LOOK_UNLIT] != 0u;                                                                    \
-    const float exposure = LOOK_FLOAT(texels, LOOK_EXPOSURE);                                                       \
-    const uint curve = texels[LOOK_TONE_CURVE];                                                                     \
-    colour.red = unit_clamp(choose(unlit, paint.x, toned(light.x, exposure, curve)));                               \
-    colour.green = unit_clamp(choose(unlit, paint.y, toned(light.y, exposure, curve)));                             \
-    colour.blue = unit_clamp(choose(unlit, paint.z, toned(light.z, exposure, curve)));                              \
+// A step of shading (shading.h), after SHADE_NORMAL: declares the frame of normal maps, in camera space. On the side
+// that is seen from behind all its vectors are turned round, so that the cross product has to be turned once more.
+#define SHADE_TANGENT(p, triangle, back)                                                                               \
+    const uint at_a = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u]);                                                    \
+    const uint at_b = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 1u]);                                               \
+    const uint at_c = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 2u]);                                               \
+    const Vector model_tangent =                                                                                       \
+        weigh_vectors(inside, frame_vector(LOAD_VECTOR(vertices, at_a + 4u)),                                          \
+                      frame_vector(LOAD_VECTOR(vertices, at_b + 4u)), frame_vector(LOAD_VECTOR(vertices, at_c + 4u))); \
+    const float visible_side = choose(back, -1.0f, 1.0f);                                                              \
+    const float handedness =                                                                                           \
+        visible_side * weigh(inside, frame_component(vertices[at_a + 7u]), frame_component(vertices[at_b + 7u]),       \
+                             frame_component(vertices[at_c + 7u]));                                                    \
+    const Vector frame_normal = turn_to_camera(p, scale(model_normal, visible_side));                                  \
+    const Vector frame_tangent = turn_to_camera(p, scale(model_tangent, visible_side));
+
+// Steps of shading, after SHADE_MAPS, SHADE_NORMAL and SHADE_TANGENT.
+#define SHADE_PBR_LIGHT(colour, p)                                                                                    \
+    const Vector camera = weigh_vectors(inside, ca.camera, cb.camera, cc.camera);                                     \
+    const Vector to_eye = unit_vector(make_vector(-camera.x, -camera.y, -camera.z), make_vector(0.0f, 0.0f, 1.0f));   \
+    const Vector n = bumped_normal(surface.bump, frame_normal, frame_tangent, handedness, turn_to_camera(p, normal)); \
+    const float n_eye = at_most(at_least(dot_product(n, to_eye), 1e-4f), 1.0f);                                       \
+    const float roughness = at_most(at_least(surface.roughness, LEAST_ROUGHNESS), 1.0f);                              \
+    const float alpha = roughness * roughness;                                                                        \
+    const float metallic = unit_clamp(surface.metallic);                                                              \
+    const Vector paint = make_vector(surface.base.red, surface.base.green, surface.base.blue);                        \
+    const Vector f0 = blend_vectors(make_vector(0.04f, 0.04f, 0.04f), paint, metallic);                               \
+    const Vector body = flush_vector(scale(paint, 1.0f - metallic));                                                  \
+    const Vector zenith = LOOK_VECTOR(texels, LOOK_ZENITH);                                                           \
+    const Vector horizon = LOOK_VECTOR(texels, LOOK_HORIZON);                                                         \
+    const Vector ground = LOOK_VECTOR(texels, LOOK_GROUND);                                                           \
+    const Vector up = turn_to_camera(p, make_vector(0.0f, 1.0f, 0.0f));                                               \
+    const float up_eye = dot_product(up, to_eye);                                                                     \
+    const float up_n = dot_product(up, n);                                                                            \
+    const float up_mirror = 2.0f * dot_product(n, to_eye) * up_n - up_eye;                                            \
+    const Vector spread = sky_light(zenith, horizon, ground, up_n, 1.0f);                                             \
+    const Vector mirror = sky_light(zenith, horizon, ground, up_mirror, roughness);                                   \
+    const float karis_x = 1.0f - roughness;                                                                           \
+    const float karis_y = 0.0425f - 0.0275f * roughness;                                                              \
+    const float karis_a = at_most(karis_x * karis_x, exact_exp2(-9.28f * n_eye)) * karis_x + karis_y;                 \
+    const float karis_scale = -1.04f * karis_a + (1.04f - 0.572f * roughness);                                        \
+    const float karis_bias = 1.04f * karis_a + (0.022f * roughness - 0.04f);                                          \
+    const Vector sheen = make_vector(f0.x * karis_scale + karis_bias, f0.y * karis_scale + karis_bias,                \
+                                     f0.z * karis_scale + karis_bias);                                                \
+    const Vector from_sky = add(multiply(sheen, mirror), multiply(body, spread));                                     \
+    Vector light = add(scale(from_sky, surface.occlusion), surface.emissive);                                         \
+    const uint lights = texels[LOOK_LIGHTS];                                                                          \
+    for (uint i = 0u; i < lights; ++i) {                                                                              \
+        const uint at = LIGHTS_AT + i * LIGHT_WORDS;                                                                  \
+        const uint kind = texels[at];                                                                                 \
+        const bool fixed_to_eye = texels[at + 1u] != 0u;                                                              \
+        const Vector place = LOOK_VECTOR(texels, at + LIGHT_PLACE);                                                   \
+        const Vector turned = turn_to_camera(p, place);                                                               \
+        const Vector seen = make_vector(clip_row(p.rx, p.ry, p.rz, p.rt, place.x, place.y, place.z),                  \
+                                        clip_row(p.ux, p.uy, p.uz, p.ut, place.x, place.y, place.z),                  \
+                                        clip_row(p.bx, p.by, p.bz, p.bt, place.x, place.y, place.z));                 \
+        const Vector away = flush_vector(scale(subtract(seen, camera), p.unscale));                                   \
+        const bool far = kind == LIGHT_DIRECTIONAL;                                                                   \
+        const Vector ray = make_vector(choose(far, choose(fixed_to_eye, place.x, turned.x), away.x),                  \
+                                       choose(far, choose(fixed_to_eye, place.y, turned.y), away.y),                  \
+                                       choose(far, choose(fixed_to_eye, place.z, turned.z), away.z));                 \
+        const Vector to_light = unit_vector(ray, n);                                                                  \
+        const float squared = at_most(at_least(flush_tiny(dot_product(away, away)), 1e-12f), 1e17f);                  \
+        const float reach = flush_tiny(squared * flushed_square(LOOK_FLOAT(texels, at + LIGHT_RANGE)));               \
+        const float window = unit_clamp(1.0f - flushed_square(reach));                                                \
+        const Vector aim = turn_to_camera(p, LOOK_VECTOR(texels, at + LIGHT_SPOT));                                   \
+        const float inner = unit_clamp(-dot_product(aim, to_light) * LOOK_FLOAT(texels, at + LIGHT_CONE) +            \
+                                       LOOK_FLOAT(texels, at + LIGHT_CONE + 1u));                                     \
+        const float cone = choose(kind == LIGHT_SPOTTED, flushed_square(inner), 1.0f);                                \
+        const float faded = choose(far, 1.0f, flush_tiny((window * cone) * positive_quotient(1.0f, squared)));        \
+        const Vector share = flush_vector(reflected_share(n, to_light, to_eye, n_eye, body, f0, alpha));              \
+        const Vector intensity = flush_vector(scale(LOOK_VECTOR(texels, at + LIGHT_COLOUR), faded));                  \
+        light = add(light, multiply(share, intensity));                                                               \
+    }                                                                                                                 \
+    const bool unlit = texels[LOOK_UNLIT] != 0u;                                                                      \
+    const float exposure = LOOK_FLOAT(texels, LOOK_EXPOSURE);                                                         \
+    const uint curve = texels[LOOK_TONE_CURVE];                                                                       \
+    colour.red = unit_clamp(choose(unlit, paint.x, toned(light.x, exposure, curve)));                                 \
+    colour.green = unit_clamp(choose(unlit, paint.y, toned(light.y, exposure, curve)));                               \
+    colour.blue = unit_clamp(choose(unlit, paint.z, toned(light.z, exposure, curve)));                                \
     colour.alpha = base.alpha;
 
-#define SHADE_PBR(colour, p, back) \
-    SHADE_MAPS(p)                  \
-    base = surface.base;           \
-    SHADE_PBR_LIGHT(colour, p, back)
+#define SHADE_PBR(colour, p) \
+    SHADE_MAPS(p)            \
+    base = surface.base;     \
+    SHADE_PBR_LIGHT(colour, p)
 
 // As SHADE of shading.h.
 #define SHADE_PBR_IN_ORDER(colour, dropped, p, triangle, back, px, py)        \
     {                                                                         \
         SHADE_CORNERS(p, triangle, px, py)                                    \
         SHADE_INSIDE                                                          \
+        SHADE_VERTEX_COLOUR(p, triangle)                                      \
         SHADE_STEPS(p, px, py)                                                \
         SHADE_MAPS(p)                                                         \
         base = surface.base;                                                  \
         dropped = base.alpha < p.cutoff;                                      \
         base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);           \
         SHADE_NORMAL(p, back)                                                 \
-        SHADE_PBR_LIGHT(colour, p, back)                                      \
+        SHADE_TANGENT(p, triangle, back)                                      \
+        SHADE_PBR_LIGHT(colour, p)                                            \
         if (p.wires != 0u) {                                                  \
             colour = wires_over(colour, beside_edges(weights, across, down)); \
         }                                                                     \

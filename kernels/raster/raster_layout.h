@@ -12,6 +12,8 @@
 //   forward     lists, records, vertices        -> depth and colours, in order             (masked and blended ones)
 //   resolve     colours                         -> picture
 //
+// `vertices` holds vertices, then their colours and tangents (layout.h), then one such record for draws without.
+//
 // `bins` holds the starts of the tiles' lists and the end of the last one, the numbers of the tiles that have any
 // triangle, and at `list_at` the lists.
 //
@@ -180,6 +182,9 @@ STRUCT(DrawParams) {
     uint texture_width, texture_height, texture_levels;
     uint shading;
     uint wires;  // 1: edges of triangles over the shading
+    // Colours and tangents of vertices (layout.h): the first word of those of vertex 0 in `vertices`, and words to the
+    // next; 0 where all vertices share one record.
+    uint attributes_at, attribute_stride;
     // How items share out the work.
     uint tile_count;   // tiles that have a list
     uint list_at;      // first word of the lists in `bins`

@@ -31,6 +31,19 @@ FUNCTION float flushed_square(float x) {
     return flush_tiny(x * x);
 }
 
+FUNCTION float unit_clamp(float x) {
+    return at_most(at_least(x, 0.0f), 1.0f);
+}
+
+/// The blend of three shares of a colour, each brought into [0, 1]; exactly theirs where they are equal. Shares under
+/// 2^-20 are zero, so that no difference of products becomes a denormal.
+FUNCTION float blend_shares(Weights w, float a, float b, float c) {
+    const float x = choose(is_below(a, 107u), 0.0f, unit_clamp(a));
+    const float y = choose(is_below(b, 107u), 0.0f, unit_clamp(b));
+    const float z = choose(is_below(c, 107u), 0.0f, unit_clamp(c));
+    return unit_clamp(x + (w.b * (y - x) + w.c * (z - x)));
+}
+
 /// x^600 for x in [0, 1]; under 2^-60 it is 0.
 FUNCTION float power_600(float x) {
     const float x8 = flushed_square(flushed_square(flushed_square(flush_tiny(x))));
@@ -129,6 +142,23 @@ KERNELS_END
 
 #define SHADE_INSIDE const Weights inside = weights_inside(weights);
 
+// Multiplies `base` by the colours of the vertices.
+#define VERTEX_ATTRIBUTES(p, vertex) ((p).attributes_at + (vertex) * (p).attribute_stride)
+#define SHADE_VERTEX_COLOUR(p, triangle)                                                                               \
+    {                                                                                                                  \
+        const uint at_a = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u]);                                                \
+        const uint at_b = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 1u]);                                           \
+        const uint at_c = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 2u]);                                           \
+        const float red_share = blend_shares(inside, vertices[at_a], vertices[at_b], vertices[at_c]);                  \
+        const float green_share = blend_shares(inside, vertices[at_a + 1u], vertices[at_b + 1u], vertices[at_c + 1u]); \
+        const float blue_share = blend_shares(inside, vertices[at_a + 2u], vertices[at_b + 2u], vertices[at_c + 2u]);  \
+        const float alpha_share = blend_shares(inside, vertices[at_a + 3u], vertices[at_b + 3u], vertices[at_c + 3u]); \
+        base.red = flush_tiny(base.red) * red_share;                                                                   \
+        base.green = flush_tiny(base.green) * green_share;                                                             \
+        base.blue = flush_tiny(base.blue) * blue_share;                                                                \
+        base.alpha = flush_tiny(base.alpha) * alpha_share;                                                             \
+    }
+
 #define SHADE_STEPS(p, px, py)                                                                     \
     const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
     const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);
@@ -194,6 +224,7 @@ KERNELS_END
     {                                                                         \
         SHADE_CORNERS(p, triangle, px, py)                                    \
         SHADE_INSIDE                                                          \
+        SHADE_VERTEX_COLOUR(p, triangle)                                      \
         SHADE_STEPS(p, px, py)                                                \
         if (p.texture_levels != 0u) {                                         \
             SHADE_TEXTURE(p)                                                  \

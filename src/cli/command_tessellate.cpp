@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -37,6 +38,7 @@ void report(const Context& context, const Words& words, const gpu::DeviceInfo& d
     for (std::size_t i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<StageId>(i);
         if (stage == StageId::tangents && !totals.has_tangents) continue;
+        if (stage == StageId::attributes && !totals.has_attributes) continue;
         const double milliseconds = times.seconds[i] * 1e3;
         say(context, times.measured ? fmt::format("  {:<14}{:>10.3f} ms", name(stage), milliseconds)
                                     : fmt::format("  {:<14}  not timed: the device has no timestamps", name(stage)));
@@ -85,6 +87,9 @@ int run(const Context& context, const Words& words) {
     gpu::Device device = backends::open_device(words.device);
     SceneTessellator tessellator(device, patches, options, hair, hair_options);
     const auto writer = exporting::create_mesh_writer(words.output, tessellator.totals(), scene);
+    if (tessellator.totals().has_colors && std::filesystem::path(words.output).extension() == ".obj") {
+        say(context, "An .obj has no place for the colours of vertices: they are left out.");
+    }
     {
         Progress progress("tessellating", context.quiet);
         tessellator.run(*writer, Space::model, progress.callback());

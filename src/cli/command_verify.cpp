@@ -262,7 +262,7 @@ int run(const Context& context, const Words& words) {
     const std::vector<gpu::Device> devices = open_devices(context, words);
     Report report{words, Json::array(), {}};
     for (const std::string& input : words.inputs) {
-        const scene::Scene scene = load(context, input, words.load);
+        const scene::Scene scene = load(context, input, words.load, true);  // tangents of normal maps are compared too
         const patches::PatchSet patches = surface_patches(scene);
         for (const JobWords& job : variants(words)) {
             if (patches.patch_count() == 0) break;

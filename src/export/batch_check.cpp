@@ -42,6 +42,7 @@ void BatchCheck::accept(const MeshBatch& batch) {
             vertices_, totals_.vertex_count, batch.indices.size(), indices_, totals_.index_count));
     }
     require_equal("tangents of a batch", totals_.has_tangents ? batch.vertices.size() : 0, batch.tangents.size());
+    require_equal("attributes of a batch", totals_.has_attributes ? batch.vertices.size() : 0, batch.attributes.size());
     check_indices(batch);
     check_quads(batch);
     check_finite(batch);
@@ -114,6 +115,16 @@ void BatchCheck::check_finite(const MeshBatch& batch) const {
                                     "its bitangent ({}, {}, {}); they must be finite, and the handedness 1 or -1.",
                                     file_, batch.first_vertex + i, t.tangent[0], t.tangent[1], t.tangent[2],
                                     t.handedness, t.bitangent[0], t.bitangent[1], t.bitangent[2]));
+        }
+    }
+    for (std::size_t i = 0; i < batch.attributes.size(); ++i) {
+        const float(&c)[4] = batch.attributes[i].color;
+        const float sum = 0.0f * c[0] + 0.0f * c[1] + 0.0f * c[2] + 0.0f * c[3];
+        if (std::isnan(sum)) {
+            throw Error(
+                ErrorKind::output,
+                fmt::format("Cannot write '{}': the colour of vertex {} is ({}, {}, {}, {}); it must be finite.", file_,
+                            batch.first_vertex + i, c[0], c[1], c[2], c[3]));
         }
     }
 }

@@ -15,8 +15,8 @@ public:
     BatchCheck(const MeshTotals& totals, std::string file);
 
     /// Requires that `batch` continues the one before, stays within the totals, uses its own vertices only and no
-    /// vertices of another part, marks as quads only pairs of triangles that are halves of one, has tangents where
-    /// the totals say so, and holds finite numbers.
+    /// vertices of another part, marks as quads only pairs of triangles that are halves of one, has tangents and
+    /// attributes where the totals say so, and holds finite numbers.
     void accept(const MeshBatch& batch);
 
     /// Requires that everything announced has come.

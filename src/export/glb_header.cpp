@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 constexpr int component_float = 5126, component_uint = 5125;
-constexpr std::size_t vertex_view = 0, index_view = 1, next_view = 2;  // of tangents where there are any, of images
+constexpr std::size_t vertex_view = 0, index_view = 1, next_view = 2;  // of tangents, colours, images: what there is
+constexpr std::size_t color_bytes = sizeof(VertexAttributes::color);
 constexpr std::size_t no_accessor = static_cast<std::size_t>(-1);
 
 /// As a decimal number: sign, point, 17 digits and an exponent of two, which no float exceeds.
@@ -48,7 +49,8 @@ Json vertex_accessor(const MeshPart& part, std::size_t member_offset, const char
 GlbHeader::GlbHeader(const std::string& file, const std::string& name, const MeshTotals& totals,
                      const scene::Scene& scene)
     : tangents_at_(totals.vertex_count * sizeof(Vertex)),
-      indices_at_(tangents_at_ + (totals.has_tangents ? totals.vertex_count * sizeof(GltfTangent) : 0)),
+      colors_at_(tangents_at_ + (totals.has_tangents ? totals.vertex_count * sizeof(GltfTangent) : 0)),
+      indices_at_(colors_at_ + (totals.has_colors ? totals.vertex_count * color_bytes : 0)),
       binary_bytes_(indices_at_ + totals.index_count * sizeof(std::uint32_t)),
       position_accessors_(totals.parts.size(), no_accessor) {
     json_["asset"] = {{"version", "2.0"}, {"generator", fmt::format("Tessera {}", TESSERA_VERSION)}};
@@ -61,6 +63,7 @@ GlbHeader::GlbHeader(const std::string& file, const std::string& name, const Mes
     }
     has_quads_ = totals.has_quads;
     has_tangents_ = totals.has_tangents;
+    has_colors_ = totals.has_colors;
     if (has_quads_) json_["extensionsUsed"] = {"FB_ngon_encoding"};
     place_images(file, used, scene);
     add_buffer_views(totals, scene);
@@ -111,14 +114,16 @@ void GlbHeader::add_buffer_views(const MeshTotals& totals, const scene::Scene& s
                            {"byteOffset", indices_at_},
                            {"byteLength", totals.index_count * sizeof(std::uint32_t)},
                            {"target", element_array_buffer}});
-    if (has_tangents_) {
+    const auto add_vertex_view = [&](std::uint64_t begin, std::uint64_t end, std::size_t stride) {
         append("bufferViews", {{"buffer", 0},
-                               {"byteOffset", tangents_at_},
-                               {"byteLength", indices_at_ - tangents_at_},
-                               {"byteStride", sizeof(GltfTangent)},
+                               {"byteOffset", begin},
+                               {"byteLength", end - begin},
+                               {"byteStride", stride},
                                {"target", array_buffer}});
-    }
-    const std::size_t first_image_view = has_tangents_ ? next_view + 1 : next_view;
+    };
+    if (has_tangents_) add_vertex_view(tangents_at_, colors_at_, sizeof(GltfTangent));
+    if (has_colors_) add_vertex_view(colors_at_, indices_at_, color_bytes);
+    const std::size_t first_image_view = json_["bufferViews"].size();
     for (std::size_t i = 0; i < images_.size(); ++i) {
         const scene::SceneImage& image = scene.images[images_[i].image];
         append("bufferViews", {{"buffer", 0}, {"byteOffset", images_[i].offset}, {"byteLength", image.encoded.size()}});
@@ -152,13 +157,15 @@ Json GlbHeader::primitive(const MeshPart& part, std::size_t material) {
     Json attributes = {{"POSITION", append("accessors", vertex_accessor(part, offsetof(Vertex, position), "VEC3"))},
                        {"NORMAL", append("accessors", vertex_accessor(part, offsetof(Vertex, normal), "VEC3"))},
                        {"TEXCOORD_0", append("accessors", vertex_accessor(part, offsetof(Vertex, uv), "VEC2"))}};
-    if (has_tangents_) {
-        attributes["TANGENT"] = append("accessors", {{"bufferView", next_view},
-                                                     {"byteOffset", part.first_vertex * sizeof(GltfTangent)},
-                                                     {"componentType", component_float},
-                                                     {"count", part.vertex_count},
-                                                     {"type", "VEC4"}});
-    }
+    const auto add_vec4 = [&](std::size_t view, std::size_t stride) {
+        return append("accessors", {{"bufferView", view},
+                                    {"byteOffset", part.first_vertex * stride},
+                                    {"componentType", component_float},
+                                    {"count", part.vertex_count},
+                                    {"type", "VEC4"}});
+    };
+    if (has_tangents_) attributes["TANGENT"] = add_vec4(next_view, sizeof(GltfTangent));
+    if (has_colors_) attributes["COLOR_0"] = add_vec4(has_tangents_ ? next_view + 1 : next_view, color_bytes);
     const std::size_t indices = append("accessors", {{"bufferView", index_view},
                                                      {"byteOffset", part.first_index * sizeof(std::uint32_t)},
                                                      {"componentType", component_uint},

@@ -18,10 +18,10 @@ struct GlbImage {
     std::uint64_t offset = 0;
 };
 
-/// Lays out the binary chunk (all vertices, all tangents where there are any, all indices, then the images, each at a
-/// multiple of 4 bytes) and describes it: asset, scene, one node, one mesh with a primitive per part that has
-/// triangles, and the materials and images those use. Indices count from a part's own first vertex, so that a reader
-/// need not take in the whole vertex buffer for every part.
+/// Lays out the binary chunk (all vertices, all tangents and all colours where there are any, all indices, then the
+/// images, each at a multiple of 4 bytes) and describes it: asset, scene, one node, one mesh with a primitive per part
+/// that has triangles, and the materials and images those use. Indices count from a part's own first vertex, so that a
+/// reader need not take in the whole vertex buffer for every part.
 class GlbHeader {
 public:
     /// `file` is used in messages, `name` for mesh and node. Throws Error(output) for an image that is neither PNG nor
@@ -29,6 +29,7 @@ public:
     GlbHeader(const std::string& file, const std::string& name, const MeshTotals& totals, const scene::Scene& scene);
 
     std::uint64_t tangents_at() const { return tangents_at_; }
+    std::uint64_t colors_at() const { return colors_at_; }
     std::uint64_t indices_at() const { return indices_at_; }
     std::uint64_t binary_bytes() const { return binary_bytes_; }
     const std::vector<GlbImage>& images() const { return images_; }
@@ -49,12 +50,14 @@ private:
     std::size_t append(const char* array, const Json& entry);
 
     std::uint64_t tangents_at_ = 0;
+    std::uint64_t colors_at_ = 0;
     std::uint64_t indices_at_ = 0;
     std::uint64_t binary_bytes_ = 0;
     std::vector<GlbImage> images_;
     std::vector<std::size_t> position_accessors_;  // per part
     bool has_quads_ = false;
     bool has_tangents_ = false;
+    bool has_colors_ = false;
     Json json_;
 };
 

@@ -56,6 +56,7 @@ public:
         if (header_.binary_bytes() == 0) return;  // vertices without any triangle: an empty scene
         file_.write_at(binary_at_ + batch.first_vertex * sizeof(Vertex), std::as_bytes(batch.vertices));
         write_tangents(batch);
+        write_colors(batch);
         for_each_part(check_.totals(), &MeshPart::first_vertex, &MeshPart::vertex_count, batch.first_vertex,
                       batch.vertices.size(), [&](std::size_t part, std::uint64_t first, std::uint64_t count) {
                           extend(bounds_[part], batch.vertices.subspan(first - batch.first_vertex, count));
@@ -111,6 +112,20 @@ private:
         }
     }
 
+    void write_colors(const MeshBatch& batch) {
+        if (!check_.totals().has_colors) return;
+        for (std::size_t first = 0; first < batch.attributes.size(); first += colors_.size()) {
+            const auto piece =
+                batch.attributes.subspan(first, std::min(tangents_per_piece, batch.attributes.size() - first));
+            colors_.resize(piece.size());
+            std::ranges::transform(piece, colors_.begin(), [](const VertexAttributes& a) {
+                return std::array{a.color[0], a.color[1], a.color[2], a.color[3]};
+            });
+            file_.write_at(binary_at_ + header_.colors_at() + (batch.first_vertex + first) * sizeof(colors_[0]),
+                           std::as_bytes(std::span(colors_)));
+        }
+    }
+
     void write_indices(std::size_t part, std::uint64_t at, std::span<const std::uint32_t> indices) {
         const auto base = static_cast<std::uint32_t>(check_.totals().parts[part].first_vertex);
         while (!indices.empty()) {
@@ -137,6 +152,7 @@ private:
     OutputFile file_;
     std::vector<std::uint32_t> local_;
     std::vector<GltfTangent> tangents_;
+    std::vector<std::array<float, 4>> colors_;
 };
 
 }  // namespace

@@ -25,13 +25,13 @@ public:
 /// Chooses the format by extension (.glb, .obj, .ply; case ignored):
 /// - .glb: glTF 2.0, one mesh with a primitive per part that has triangles, the materials those use, and the base
 ///   colour images as they stood in the input; quads by FB_ngon_encoding; tangents as TANGENT (glTF 2.0, section
-///   3.7.2.1), turned to a right angle with the vertex normal, see gltf_tangent();
+///   3.7.2.1), turned to a right angle with the vertex normal, see gltf_tangent(); colours as COLOR_0;
 /// - .obj: an object per part, materials (colours only, no textures) in a .mtl beside it; texture coordinates have
 ///   their origin at the lower left there, so v is written as 1 - v;
 /// - .ply: binary little-endian, x y z nx ny nz s t, one mesh without materials; texture coordinates as they are;
-///   tangents as tx ty tz tw bx by bz, where tw is the handedness. Its header counts the faces, which are not known
-///   beforehand where there are quads: those are refused.
-/// Tangents are refused for .obj, which has no place for them.
+///   tangents as tx ty tz tw bx by bz, where tw is the handedness, colours as red green blue alpha, linear. Its header
+///   counts the faces, which are not known beforehand where there are quads: those are refused.
+/// Tangents are refused for .obj, which has no place for them; colours are left out there.
 /// Every number reads back to the same bits (1 - v: read as a double, for v of a magnitude from 2^-28 to 2^28).
 /// `materials` gives the materials the parts refer to, and the images; it
 /// need not outlive the call.

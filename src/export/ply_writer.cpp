@@ -18,22 +18,26 @@ constexpr std::size_t face_bytes = 1 + 3 * sizeof(std::uint32_t);
 constexpr std::size_t faces_per_piece = 1 << 14, vertices_per_piece = 1 << 14;
 constexpr std::size_t tangent_bytes = offsetof(Tangent, unused);  // tx ty tz tw bx by bz
 static_assert(tangent_bytes == 7 * sizeof(float));
+constexpr std::size_t color_bytes = sizeof(VertexAttributes::color);
 
 class PlyWriter : public MeshWriter {
 public:
     PlyWriter(const std::filesystem::path& path, const MeshTotals& totals)
         : check_(totals, path.string()),
           file_(path),
-          vertex_bytes_(sizeof(Vertex) + (totals.has_tangents ? tangent_bytes : 0)) {
+          vertex_bytes_(sizeof(Vertex) + (totals.has_tangents ? tangent_bytes : 0) +
+                        (totals.has_colors ? color_bytes : 0)) {
         const std::string header = fmt::format(
             "ply\nformat binary_little_endian 1.0\ncomment Tessera {}\nelement vertex {}\n"
             "property float x\nproperty float y\nproperty float z\n"
-            "property float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\n{}"
+            "property float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\n{}{}"
             "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
             TESSERA_VERSION, totals.vertex_count,
             totals.has_tangents ? "property float tx\nproperty float ty\nproperty float tz\nproperty float tw\n"
                                   "property float bx\nproperty float by\nproperty float bz\n"
                                 : "",
+            totals.has_colors ? "property float red\nproperty float green\nproperty float blue\nproperty float alpha\n"
+                              : "",
             totals.index_count / 3);
         file_.write_at(0, std::as_bytes(std::span(header)));
         vertices_at_ = header.size();
@@ -42,13 +46,13 @@ public:
 
     void append(const MeshBatch& batch) override {
         check_.accept(batch);
-        if (batch.tangents.empty()) {
+        if (vertex_bytes_ == sizeof(Vertex)) {
             file_.write_at(vertices_at_ + batch.first_vertex * sizeof(Vertex), std::as_bytes(batch.vertices));
-        }
-        for (std::size_t first = 0; first < batch.tangents.size(); first += vertices_per_piece) {
-            const std::size_t count = std::min(vertices_per_piece, batch.tangents.size() - first);
-            pack_vertices(batch.vertices.subspan(first, count), batch.tangents.subspan(first, count));
-            file_.write_at(vertices_at_ + (batch.first_vertex + first) * vertex_bytes_, piece_);
+        } else {
+            for (std::size_t first = 0; first < batch.vertices.size(); first += vertices_per_piece) {
+                pack_vertices(batch, first, std::min(vertices_per_piece, batch.vertices.size() - first));
+                file_.write_at(vertices_at_ + (batch.first_vertex + first) * vertex_bytes_, piece_);
+            }
         }
         std::uint64_t at = faces_at_ + batch.first_index / 3 * face_bytes;
         for (std::size_t first = 0; first < batch.indices.size(); first += 3 * faces_per_piece) {
@@ -65,12 +69,18 @@ public:
     }
 
 private:
-    void pack_vertices(std::span<const Vertex> vertices, std::span<const Tangent> tangents) {
-        piece_.resize(vertices.size() * vertex_bytes_);
+    /// Vertices [first, first + count) of a batch.
+    void pack_vertices(const MeshBatch& batch, std::size_t first, std::size_t count) {
+        piece_.resize(count * vertex_bytes_);
         std::byte* to = piece_.data();
-        for (std::size_t i = 0; i < vertices.size(); ++i, to += vertex_bytes_) {
-            std::memcpy(to, &vertices[i], sizeof(Vertex));
-            std::memcpy(to + sizeof(Vertex), &tangents[i], tangent_bytes);
+        const auto put = [&to](const void* from, std::size_t bytes) {
+            std::memcpy(to, from, bytes);
+            to += bytes;
+        };
+        for (std::size_t i = first; i < first + count; ++i) {
+            put(&batch.vertices[i], sizeof(Vertex));
+            if (check_.totals().has_tangents) put(&batch.tangents[i], tangent_bytes);
+            if (check_.totals().has_colors) put(batch.attributes[i].color, color_bytes);
         }
     }
 

@@ -1,6 +1,7 @@
 #include "patches/patches.hpp"
 
 #include "base/error.hpp"
+#include "patches/corner_attributes.hpp"
 #include "patches/surface_tags.hpp"
 
 #include <fmt/format.h>
@@ -83,6 +84,7 @@ PatchSet make_patches(const scene::Scene& scene) {
         }
     }
     add_surface_tags(scene, set);
+    add_corner_attributes(scene, set);
     return set;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vertex.hpp"
+#include "base/vertex_attributes.hpp"
 #include "scene/scene.hpp"
 
 #include <array>
@@ -55,6 +56,10 @@ struct PatchSet {
     bool has_quads = false;
     std::vector<VertexTags> vertex_tags;                 ///< of each control vertex, or none at all
     std::vector<std::array<CornerTags, 4>> corner_tags;  ///< of each patch, or none at all: where there are creases
+    /// Of each patch, or none at all: where a mesh has colours or a normal map. They vary linearly (triangles) or
+    /// bilinearly (quads) over a patch.
+    std::vector<std::array<VertexAttributes, 4>> corner_attributes;
+    bool has_colors = false;  ///< whether a mesh of the scene has colours
     std::vector<PatchRange> ranges;
     /// The largest coordinate of the faces lies in [2^exponent, 2^(exponent+1)); output positions are scaled back by
     /// 2^exponent, exactly.
@@ -70,6 +75,7 @@ int scene_exponent(const scene::Scene& scene);
 /// Scales by a power of two until the largest coordinate lies in [1, 2) (exact), and replaces magnitudes under 2^-60
 /// by zero: some devices flush denormals, others keep them, so that they must not arise in a kernel. Vertices that no
 /// face uses do not count; their coordinates are clamped to [-2, 2].
+/// Tangents that a normal map needs and the scene has not are computed.
 /// Throws Error(usage) where there is nothing to tessellate or more than 2^32 - 1 control vertices.
 PatchSet make_patches(const scene::Scene& scene);
 

@@ -66,23 +66,16 @@ public:
         state_ = State::drawing;
     }
 
-    void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
-              std::uint32_t material) override {
+    using Rasteriser::draw;
+    void draw(const render::Draw& draw) override {
         require(State::drawing, "draw", "set_materials");
-        if (material >= materials_.size()) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("A draw names material {}, but there are {}.", material, materials_.size()));
-        }
-        if (indices.size() % 3 != 0) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("A draw has {} indices, which is no multiple of 3.", indices.size()));
-        }
-        const TexelBuffer& texture = textures_.of(material);
+        render::check_draw(draw, materials_.size());
+        const TexelBuffer& texture = textures_.of(draw.material);
         kernels::DrawParams params = frame_;
-        set_material(params, materials_[material], texture);
-        while (!indices.empty()) {
-            const render::TriangleBatch batch = render::take_batch(indices, vertices.size());
-            pipeline_.draw(batch, vertices, params, texture);
+        set_material(params, materials_[draw.material], texture);
+        for (auto indices = draw.indices; !indices.empty();) {
+            const render::TriangleBatch batch = render::take_batch(indices, draw.vertices.size());
+            pipeline_.draw(batch, draw, params, texture);
             indices = indices.subspan(batch.indices.size());
         }
     }

@@ -1,5 +1,7 @@
 #include "raster/raster_pipeline.hpp"
 
+#include "layout.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -8,6 +10,9 @@ namespace {
 
 constexpr std::uint64_t most_triangles = render::TriangleBatch::max_triangles;
 constexpr std::uint64_t most_vertices = 3 * most_triangles;
+// `vertices` holds vertices, their attributes, and one record of attributes for vertices that have none.
+constexpr std::uint64_t attributes_at = most_vertices * sizeof(Vertex);
+constexpr std::uint64_t no_attributes_at = attributes_at + most_vertices * sizeof(VertexAttributes);
 constexpr std::uint32_t depth_one = 0x3f800000u;
 constexpr std::uint32_t nothing_visible = 0xffffffffu;  // VISIBLE_NONE
 constexpr std::uint32_t first_list_words = 1u << 20;
@@ -19,6 +24,7 @@ std::string_view shade_kernel(const kernels::DrawParams& params) {
     if (params.shading == SHADING_PBR) return "raster_shade_pbr";
     if (params.shading == SHADING_DEPTH) return "raster_shade_depth";
     if (params.shading == SHADING_UV) return "raster_shade_uv";
+    if (params.attribute_stride != 0) return "raster_shade_coloured";
     return params.texture_levels != 0 ? "raster_shade_textured" : "raster_shade_plain";
 }
 
@@ -30,11 +36,13 @@ RasterPipeline::RasterPipeline(const gpu::Device& device)
     : device_(device),
       launch_(choose_launch(device.info())),
       parameters_(device_, 8),
-      vertices_(storage("vertices to draw", most_vertices * sizeof(Vertex))),
+      vertices_(storage("vertices to draw", no_attributes_at + sizeof(VertexAttributes))),
       indices_(storage("indices to draw", most_triangles * 3 * 4)),
       screen_(storage("screen vertices", most_vertices * SCREEN_VERTEX_WORDS * 4)),
       records_(storage("triangle records", most_triangles * (TRIANGLE_WORDS + POLYGON_WORDS) * 4)),
       bounds_(storage("triangle bounds", most_triangles * BOUNDS_WORDS * 4)) {
+    const VertexAttributes no_attributes{};
+    device_.queue().write_buffer(vertices_, no_attributes_at, std::as_bytes(std::span(&no_attributes, 1)));
     transform_ = Stage(device_, "raster_transform", {vertices_, screen_}, parameters_);
     setup_ = Stage(device_, "raster_setup", {screen_, indices_, records_, bounds_}, parameters_);
     clip_ = Stage(device_, "raster_clip", {vertices_, indices_, records_, bounds_}, parameters_);
@@ -127,9 +135,11 @@ const Stage& RasterPipeline::shade_stage(std::size_t window, std::string_view ke
     return found->second;
 }
 
-void RasterPipeline::draw(const render::TriangleBatch& batch, std::span<const Vertex> vertices,
-                          kernels::DrawParams params, const TexelBuffer& texture) {
-    upload(batch, vertices);
+void RasterPipeline::draw(const render::TriangleBatch& batch, const render::Draw& draw, kernels::DrawParams params,
+                          const TexelBuffer& texture) {
+    upload(batch, draw);
+    params.attributes_at = static_cast<std::uint32_t>((draw.attributes.empty() ? no_attributes_at : attributes_at) / 4);
+    params.attribute_stride = draw.attributes.empty() ? 0 : ATTRIBUTE_FLOATS;
     params.triangle_count = static_cast<std::uint32_t>(batch.indices.size() / 3);
     params.vertex_count = static_cast<std::uint32_t>(batch.is_local() ? batch.vertex_count : batch.indices.size());
     params.polygons_at = static_cast<std::uint32_t>(most_triangles * TRIANGLE_WORDS);
@@ -140,21 +150,30 @@ void RasterPipeline::draw(const render::TriangleBatch& batch, std::span<const Ve
     }
 }
 
-void RasterPipeline::upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices) {
+template <typename Element>
+void RasterPipeline::upload(const render::TriangleBatch& batch, std::span<const Element> of_vertices,
+                            std::uint64_t at) {
+    if (batch.is_local()) {
+        const auto used = of_vertices.subspan(batch.first_vertex, batch.vertex_count);
+        device_.queue().write_buffer(vertices_, at, std::as_bytes(used));
+        return;
+    }
+    corners_.resize(batch.indices.size() * sizeof(Element));
+    render::write_corners(batch, of_vertices, reinterpret_cast<Element*>(corners_.data()));
+    device_.queue().write_buffer(vertices_, at, corners_);
+}
+
+void RasterPipeline::upload(const render::TriangleBatch& batch, const render::Draw& draw) {
     // The device may still be busy with the batch before: it is waited for as late as possible, by the first write.
     local_indices_.resize(batch.indices.size());
-    std::span<const Vertex> used;
     if (batch.is_local()) {
         render::write_local_indices(batch, local_indices_.data());
-        used = vertices.subspan(batch.first_vertex, batch.vertex_count);
     } else {
         std::iota(local_indices_.begin(), local_indices_.end(), 0u);
-        corners_.resize(batch.indices.size());
-        render::write_corners(batch, vertices, corners_.data());
-        used = corners_;
     }
+    upload(batch, draw.vertices, 0);
+    if (!draw.attributes.empty()) upload(batch, draw.attributes, attributes_at);
     device_.queue().write_buffer(indices_, 0, std::as_bytes(std::span(local_indices_)));
-    device_.queue().write_buffer(vertices_, 0, std::as_bytes(used));
 }
 
 std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const kernels::BinParams& bin) {

@@ -13,7 +13,7 @@
 
 namespace tessera::raster {
 
-/// Memory beside that of the windows does not depend on what is drawn: about 120 MiB, and `visible`, a word per sample
+/// Memory beside that of the windows does not depend on what is drawn: about 130 MiB, and `visible`, a word per sample
 /// of the largest window.
 class RasterPipeline {
 public:
@@ -26,8 +26,8 @@ public:
     /// depth 1. The windows must outlive the picture.
     void begin(std::vector<RasterWindow>& windows, std::uint32_t samples, std::uint32_t background);
 
-    /// Draws a batch of `vertices`.
-    void draw(const render::TriangleBatch& batch, std::span<const Vertex> vertices, kernels::DrawParams params,
+    /// Draws a batch of `draw`.
+    void draw(const render::TriangleBatch& batch, const render::Draw& draw, kernels::DrawParams params,
               const TexelBuffer& texture);
 
     /// Resolves a window: R, G, B, A of each pixel, rows from the top.
@@ -39,7 +39,10 @@ private:
         return (elements + launch_.elements - 1) / launch_.elements;
     }
     gpu::Buffer storage(const char* label, std::uint64_t bytes);
-    void upload(const render::TriangleBatch& batch, std::span<const Vertex> vertices);
+    void upload(const render::TriangleBatch& batch, const render::Draw& draw);
+    /// Writes what belongs to the vertices of a batch to word `at` of the vertex buffer.
+    template <typename Element>
+    void upload(const render::TriangleBatch& batch, std::span<const Element> of_vertices, std::uint64_t at);
     void draw_window(std::size_t window, kernels::DrawParams params, const TexelBuffer& texture);
     /// Sets up the batch, the first time, counts triangles per tile into tile_totals_ and returns their sum.
     std::uint64_t count(const kernels::DrawParams& params, const kernels::BinParams& bin);
@@ -59,7 +62,7 @@ private:
     bool is_set_up_ = false;         // the batch has records and bounds
     bool is_visible_clear_ = false;  // all of visible_ is VISIBLE_NONE: shading leaves it so
     std::vector<RasterWindow>* windows_ = nullptr;
-    std::vector<Vertex> corners_;
+    std::vector<std::byte> corners_;
     std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
     gpu::Buffer vertices_, indices_, screen_, records_, bounds_;
     gpu::Buffer counts_, totals_, bins_, visible_, picture_;

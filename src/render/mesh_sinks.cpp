@@ -21,8 +21,10 @@ void DrawSink::append(const MeshBatch& batch) {
         for (std::uint32_t& index : local_) {
             index -= static_cast<std::uint32_t>(first_vertex);
         }
-        rasteriser_.draw(batch.vertices.subspan(first_vertex - batch.first_vertex, last_vertex - first_vertex), local_,
-                         part.material);
+        const auto of_part = [&](auto all) {
+            return all.empty() ? all : all.subspan(first_vertex - batch.first_vertex, last_vertex - first_vertex);
+        };
+        rasteriser_.draw(Draw{of_part(batch.vertices), local_, part.material, of_part(batch.attributes)});
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "image/image.hpp"
 #include "render/camera.hpp"
+#include "render/triangle_batches.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/refined_mesh.hpp"
 
@@ -80,9 +81,13 @@ public:
     virtual void begin(const Frame& frame) = 0;
     virtual void set_materials(const std::vector<scene::Material>& materials,
                                const std::vector<scene::SceneImage>& images) = 0;
-    /// Draws triangles; indices count from `vertices[0]`. Data is copied before the call returns; any size.
-    virtual void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
-                      std::uint32_t material) = 0;
+    /// Draws triangles. Data is copied before the call returns; any size. Colours of vertices multiply the base colour,
+    /// alpha included; a normal map tilts the normals of vertices that have tangents. Throws like check_draw.
+    virtual void draw(const Draw& draw) = 0;
+    /// The same without attributes.
+    void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices, std::uint32_t material) {
+        draw(Draw{vertices, indices, material});
+    }
     /// Resolves and reads the image back.
     virtual image::Image finish() = 0;
 };

@@ -8,6 +8,22 @@
 
 namespace tessera::render {
 
+void check_draw(const Draw& draw, std::size_t material_count) {
+    if (draw.material >= material_count) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("A draw names material {}, but there are {}.", draw.material, material_count));
+    }
+    if (draw.indices.size() % 3 != 0) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("A draw has {} indices, which is no multiple of 3.", draw.indices.size()));
+    }
+    if (!draw.attributes.empty() && draw.attributes.size() != draw.vertices.size()) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("A draw has attributes of {} vertices for {} vertices; give none, or one per vertex.",
+                                draw.attributes.size(), draw.vertices.size()));
+    }
+}
+
 TriangleBatch take_batch(std::span<const std::uint32_t> indices, std::uint64_t vertex_count) {
     TriangleBatch batch;
     batch.indices = indices.first(std::min(indices.size(), TriangleBatch::max_triangles * 3));
@@ -30,11 +46,6 @@ TriangleBatch take_batch(std::span<const std::uint32_t> indices, std::uint64_t v
 void write_local_indices(const TriangleBatch& batch, std::uint32_t* destination) {
     std::transform(batch.indices.begin(), batch.indices.end(), destination,
                    [&](std::uint32_t index) { return index - batch.first_vertex; });
-}
-
-void write_corners(const TriangleBatch& batch, std::span<const Vertex> vertices, Vertex* destination) {
-    std::transform(batch.indices.begin(), batch.indices.end(), destination,
-                   [&](std::uint32_t index) { return vertices[index]; });
 }
 
 }  // namespace tessera::render

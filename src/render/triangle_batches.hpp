@@ -1,6 +1,7 @@
 // Cuts a mesh of any size into pieces of bounded size.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -20,6 +21,18 @@ struct TriangleBatch {
     bool is_local() const { return vertex_count <= indices.size(); }
 };
 
+/// What is drawn at once: one material's triangles.
+struct Draw {
+    std::span<const Vertex> vertices;
+    std::span<const std::uint32_t> indices;  ///< three per triangle; they count from vertices[0]
+    std::uint32_t material = 0;
+    std::span<const VertexAttributes> attributes{};  ///< one per vertex, or none: white, and no tangents
+};
+
+/// Throws Error(usage) for a material that is not less than `material_count`, a number of indices that is no multiple
+/// of 3, and attributes that are not as many as the vertices. Indices themselves are looked at by take_batch.
+void check_draw(const Draw& draw, std::size_t material_count);
+
 /// The batch that begins with `indices` (not empty, a multiple of 3). Throws Error(usage) for an index that is not less
 /// than `vertex_count`.
 TriangleBatch take_batch(std::span<const std::uint32_t> indices, std::uint64_t vertex_count);
@@ -27,7 +40,11 @@ TriangleBatch take_batch(std::span<const std::uint32_t> indices, std::uint64_t v
 /// Writes indices that count from first_vertex.
 void write_local_indices(const TriangleBatch& batch, std::uint32_t* destination);
 
-/// Writes three vertices for each triangle.
-void write_corners(const TriangleBatch& batch, std::span<const Vertex> vertices, Vertex* destination);
+/// Writes three vertices for each triangle, or what belongs to three vertices.
+template <typename Element>
+void write_corners(const TriangleBatch& batch, std::span<const Element> of_vertices, Element* destination) {
+    std::transform(batch.indices.begin(), batch.indices.end(), destination,
+                   [&](std::uint32_t index) { return of_vertices[index]; });
+}
 
 }  // namespace tessera::render

@@ -64,7 +64,7 @@ glm::vec3 unit_or_zero(const glm::dvec3& v) {
 }
 
 void morph(const Document& document, const SourcePrimitive& source, const std::vector<double>& weights,
-           std::vector<glm::dvec3>& positions, std::vector<glm::dvec3>& normals) {
+           std::vector<glm::dvec3>& positions, std::vector<glm::dvec3>& normals, std::vector<glm::dvec3>& tangents) {
     const auto add = [&](const std::map<std::string, int>& target, const char* name, double weight,
                          std::vector<glm::dvec3>& to) {
         const auto it = target.find(name);
@@ -77,6 +77,7 @@ void morph(const Document& document, const SourcePrimitive& source, const std::v
         if (weights[t] == 0.0) continue;
         add(source.primitive->targets[t], "POSITION", weights[t], positions);
         if (!normals.empty()) add(source.primitive->targets[t], "NORMAL", weights[t], normals);
+        if (!tangents.empty()) add(source.primitive->targets[t], "TANGENT", weights[t], tangents);
     }
 }
 
@@ -93,6 +94,8 @@ void drop_unsound(const Document& document, const SourcePrimitive& source, Mesh&
         mesh.uvs[kept] = mesh.uvs[v];
         if (!mesh.alphas.empty()) mesh.alphas[kept] = mesh.alphas[v];
         if (!mesh.stpn.empty()) mesh.stpn[kept] = mesh.stpn[v];
+        if (!mesh.colors.empty()) mesh.colors[kept] = mesh.colors[v];
+        if (!mesh.tangents.empty()) mesh.tangents[kept] = mesh.tangents[v];
         ++kept;
     }
     if (kept == count) return;
@@ -114,7 +117,20 @@ void drop_unsound(const Document& document, const SourcePrimitive& source, Mesh&
     mesh.uvs.resize(kept);
     if (!mesh.alphas.empty()) mesh.alphas.resize(kept);
     if (!mesh.stpn.empty()) mesh.stpn.resize(kept);
+    if (!mesh.colors.empty()) mesh.colors.resize(kept);
+    if (!mesh.tangents.empty()) mesh.tangents.resize(kept);
     mesh.triangles.resize(end);
+}
+
+/// Leaves out all tangents where one of them is of no use: they are then computed anew as a whole.
+void drop_unusable_tangents(const Document& document, const SourcePrimitive& source, Mesh& mesh) {
+    const auto unusable = std::ranges::count_if(
+        mesh.tangents, [](const glm::vec4& t) { return glm::vec3(t) == glm::vec3(0.0f) || std::abs(t.w) != 1.0f; });
+    if (unusable == 0) return;
+    document.diagnostics.note(
+        fmt::format("{}: {} tangents are zero, not finite or have a handedness that is not 1 or -1; all are left out.",
+                    source.element, unusable));
+    mesh.tangents.clear();
 }
 
 void note_normals(const Document& document, const SourcePrimitive& source) {
@@ -151,7 +167,8 @@ Mesh bake(const Document& document, const SourcePrimitive& source, const Pose& p
     const std::size_t count = source.positions.size();
     std::vector<glm::dvec3> positions(source.positions.begin(), source.positions.end());
     std::vector<glm::dvec3> normals(source.normals.begin(), source.normals.end());
-    morph(document, source, pose.morph_weights, positions, normals);
+    std::vector<glm::dvec3> tangents(source.tangents.begin(), source.tangents.end());
+    morph(document, source, pose.morph_weights, positions, normals, tangents);
     note_normals(document, source);
 
     const bool skinned = !pose.joints.empty() && source.influences > 0;
@@ -165,6 +182,8 @@ Mesh bake(const Document& document, const SourcePrimitive& source, const Pose& p
     mesh.uvs = source.uvs;
     mesh.alphas = source.alphas;
     mesh.stpn = source.stpn;
+    mesh.colors = source.colors;
+    mesh.tangents = source.tangents;
     mesh.triangles = source.triangles;
     std::size_t mirrored = 0;
     for (std::size_t v = 0; v < count; ++v) {
@@ -175,12 +194,18 @@ Mesh bake(const Document& document, const SourcePrimitive& source, const Pose& p
         mirrored += for_normals.mirrors ? 1 : 0;
         mesh.positions[v] = to_float(glm::dvec3(transform * glm::dvec4(positions[v], 1.0)));
         if (!normals.empty()) mesh.normals[v] = unit_or_zero(for_normals.matrix * normals[v]);
+        if (!tangents.empty()) {
+            // A mirror turns the bitangent round against the cross product.
+            const float w = source.tangents[v].w;
+            mesh.tangents[v] = {unit_or_zero(scaled_linear(transform) * tangents[v]), for_normals.mirrors ? -w : w};
+        }
     }
     // A skin's joints mirror together or not at all; were they to disagree, most of the vertices decide.
     if (2 * mirrored > count) {
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
             std::swap(mesh.triangles[i + 1], mesh.triangles[i + 2]);
     }
+    drop_unusable_tangents(document, source, mesh);
     drop_unsound(document, source, mesh);
     return mesh;
 }

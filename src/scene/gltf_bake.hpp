@@ -19,6 +19,7 @@ struct Pose {
 
 /// Applies morph targets, then skin or node transform, in double precision. Normals go by the inverse transpose and
 /// are made unit; one that the file does not have, or that is of no use, comes out as zero for complete_normals.
+/// Tangents go with the surface; their handedness changes where the transform mirrors.
 /// Winding is turned where the transform mirrors. Triangles with positions that are not finite are dropped together
 /// with those vertices, and a message counts them. Name and material are left to the caller.
 Mesh bake(const Document& document, const SourcePrimitive& source, const Pose& pose);

@@ -21,6 +21,9 @@ constexpr int s8 = TINYGLTF_COMPONENT_TYPE_BYTE, u8 = TINYGLTF_COMPONENT_TYPE_UN
 const Format position_format{TINYGLTF_TYPE_VEC3, {f32, s8, u8, s16, u16}, "a VEC3 of floats, bytes or shorts"};
 const Format normal_format{TINYGLTF_TYPE_VEC3, {f32, s8, s16}, "a VEC3 of floats, signed bytes or signed shorts"};
 const Format uv_format{TINYGLTF_TYPE_VEC2, {f32, s8, u8, s16, u16}, "a VEC2 of floats, bytes or shorts"};
+const Format tangent_format{TINYGLTF_TYPE_VEC4, {f32, s8, s16}, "a VEC4 of floats, signed bytes or signed shorts"};
+const Format rgb_format{TINYGLTF_TYPE_VEC3, {f32, u8, u16}, "a VEC3 or VEC4 of floats, unsigned bytes or shorts"};
+const Format rgba_format{TINYGLTF_TYPE_VEC4, {f32, u8, u16}, rgb_format.text};
 const Format joints_format{TINYGLTF_TYPE_VEC4, {u8, u16}, "a VEC4 of unsigned bytes or shorts"};
 const Format weights_format{TINYGLTF_TYPE_VEC4, {f32, u8, u16}, "a VEC4 of floats, unsigned bytes or shorts"};
 const Format index_format{TINYGLTF_TYPE_SCALAR, {u8, u16, u32}, "a SCALAR of unsigned integers"};
@@ -44,10 +47,10 @@ public:
         }
         for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
             for (const auto& [name, index] : primitive.targets[i]) {
-                // Displacements of normals and positions are alike; anything else in a target is not read.
+                // Displacements of positions, normals and tangents are alike; anything else in a target is not read.
                 const std::string target = fmt::format("{}.targets[{}].{}", element, i, in_quotes(name));
                 equal_count(index, count, target);
-                if (name == "POSITION" || name == "NORMAL") check(index, position_format, target);
+                if (name == "POSITION" || name == "NORMAL" || name == "TANGENT") check(index, position_format, target);
             }
         }
     }
@@ -88,6 +91,11 @@ private:
                                     index, components_of(a), a.componentType, format.text));
     }
 
+    void check_normalized(int index, const std::string& element) const {
+        const auto& a = accessor(index);
+        if (a.componentType != f32 && !a.normalized) refuse(element, "holds integers that are not normalised");
+    }
+
     void equal_count(int index, std::size_t count, const std::string& element) const {
         if (accessor(index).count != count) {
             refuse(element, fmt::format("has {} elements, but POSITION has {}", accessor(index).count, count));
@@ -98,6 +106,14 @@ private:
         const auto begins = [&](const char* prefix) { return name.rfind(prefix, 0) == 0; };
         if (name == "POSITION") check(index, position_format, element);
         if (name == "NORMAL") check(index, normal_format, element);
+        if (name == "TANGENT") {
+            check(index, tangent_format, element);
+            check_normalized(index, element);
+        }
+        if (begins("COLOR_")) {
+            check(index, accessor(index).type == TINYGLTF_TYPE_VEC4 ? rgba_format : rgb_format, element);
+            check_normalized(index, element);
+        }
         if (begins("TEXCOORD_")) check(index, uv_format, element);
         if (begins("JOINTS_")) check(index, joints_format, element);
         if (begins("WEIGHTS_")) check(index, weights_format, element);

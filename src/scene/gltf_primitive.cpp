@@ -4,6 +4,7 @@
 #include "scene/gltf_guides.hpp"
 #include "scene/gltf_maps.hpp"
 #include "scene/gltf_shape_tags.hpp"
+#include "scene/gltf_vertex_attributes.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -188,10 +189,8 @@ SourcePrimitive read_primitive(const Document& document, std::size_t mesh, std::
     }
     if (out.guide_ends.empty()) read_uvs(document, out);  // hair has its own: across and along
     read_shape_tags(document, document.model.meshes[mesh], out);
+    if (out.guide_ends.empty()) read_vertex_attributes(document, out);
     read_influences(document, out);
-    if (attribute(*out.primitive, "COLOR_0") >= 0) {
-        document.diagnostics.note(fmt::format("{}: its vertex colours are ignored.", out.element));
-    }
     return out;
 }
 

@@ -20,6 +20,8 @@ struct SourcePrimitive {
     std::vector<glm::vec2> uvs;            ///< one per position, as the material's texture wants them
     std::vector<float> alphas;             ///< as Mesh::alphas
     std::vector<glm::vec3> stpn;           ///< as Mesh::stpn
+    std::vector<glm::vec4> colors;         ///< as Mesh::colors
+    std::vector<glm::vec4> tangents;       ///< as the file has them, one per position or none
     std::vector<std::uint32_t> triangles;  ///< all < positions.size(), no index twice in a triangle
     std::vector<std::uint32_t>
         guide_points;                       ///< of lines: the curves' points one after another, all < positions.size()

@@ -108,6 +108,11 @@ struct Mesh {
     std::vector<float> alphas;
     /// Tags of scalar tagged PN triangles, sharpness in [0, 1], bias and tension in [-1, 1]: one per position, or none.
     std::vector<glm::vec3> stpn;
+    /// Linear RGBA in [0, 1]: what the base colour is multiplied by. One per position, or none.
+    std::vector<glm::vec4> colors;
+    /// Unit tangents x, y, z with handedness w (1 or -1) for a normal map: its green points along w * cross(normal,
+    /// tangent). One per position, or none.
+    std::vector<glm::vec4> tangents;
     SubdivisionTags tags;
 };
 
@@ -186,6 +191,9 @@ struct LoadOptions {
 /// sharpness, bias and tension of scalar tagged PN triangles; floats, or integers that are normalised or not. A number
 /// `alpha` in the `extras` of a glTF mesh holds for those of its primitives that have no `_ALPHA`. Values out of range
 /// are clamped, values that are not finite become zero, and messages count them.
+///
+/// `COLOR_0` is kept as linear vertex colours, `TANGENT` as the frames of normal maps; where one of a primitive's
+/// tangents is of no use, all of them are left out, with a message.
 ///
 /// OBJ: see load_obj.hpp for the rules.
 ///

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "layout.h"
+#include "tessellate/attribute_stage.hpp"
 #include "tessellate/launch_shape.hpp"
 #include "tessellate/shared_pattern.hpp"
 #include "tessellate/stage_clock.hpp"
@@ -19,8 +20,8 @@ namespace {
 using gpu::BufferUsage;
 
 constexpr auto storage_usage = BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination;
-constexpr std::array<std::string_view, stage_count> stage_names{"factors",  "control nets", "counts",  "scan",
-                                                                "vertices", "indices",      "tangents"};
+constexpr std::array<std::string_view, stage_count> stage_names{"factors",  "control nets", "counts",   "scan",
+                                                                "vertices", "indices",      "tangents", "attributes"};
 constexpr std::array<std::string_view, 3> degree_names{"linear", "quadratic", "cubic"};
 
 static_assert(sizeof(Tangent) == TANGENT_FLOATS * sizeof(float));
@@ -127,6 +128,7 @@ struct Job::State {
     gpu::Buffer patch_corners, patch_list;
     PatchCounter counter;
     StageClock clock;
+    AttributeStage attributes;
     gpu::Buffer control_vertices, vertex_tag_buffer, corner_tag_buffer, nets, vertices, indices, tangents;
     std::uint32_t tag_stride = 0;
     std::array<DomainStages, 2> domains;  // triangles, quads
@@ -141,12 +143,14 @@ struct Job::State {
         : device(std::move(d)),
           patches(p),
           options(o),
-          plan(plan_job(p.patch_count(), p.has_quads, shared_bytes(p, o), o, limits)),
+          plan(plan_job(p.patch_count(), p.has_quads, shared_bytes(p, o), o, limits,
+                        AttributeStage::bytes_per_patch(p))),
           parameters(device, PatchCounter::parameter_slots + 1),
           patch_corners(storage("patch corners", std::uint64_t{plan.largest_chunk} * PATCH_CORNERS * 4)),
           patch_list(storage("patch list", std::uint64_t{plan.largest_chunk} * 4)),
           counter(device, plan.largest_chunk, factors_per_patch(), parameters, patch_corners),
-          clock(device, o.time_stages) {}
+          clock(device, o.time_stages),
+          attributes(device, p, parameters, plan.largest_chunk) {}
 
     bool factors_per_patch() const { return std::holds_alternative<std::vector<PatchFactors>>(options.factors); }
 
@@ -209,6 +213,7 @@ struct Job::State {
         const std::span corners = std::span(patches.corners).subspan(chunk.first_patch, chunk.patch_count);
         device.queue().write_buffer(patch_corners, 0, std::as_bytes(corners));
         if (corner_tag_buffer) upload_corner_tags(chunk);
+        attributes.upload(chunk.first_patch, chunk.patch_count);
         for (DomainStages& d : domains) {
             d.patches.clear();
         }
@@ -282,6 +287,7 @@ struct Job::State {
                                    parameters);
             });
             if (has_tangents()) reserve_tangents(vertex_bytes);
+            attributes.reserve(vertex_bytes, counter.records(), counter.offsets(), patch_list);
         }
         if (index_bytes > (indices ? indices.size() : 0)) {
             if (indices) indices.destroy();
@@ -395,8 +401,10 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
     gpu::CommandEncoder encoder = s.device.create_command_encoder();
     s.fill(encoder, {s.vertices, s.indices});
     if (s.has_tangents()) s.fill(encoder, {s.tangents});
+    if (s.attributes.is_wanted()) s.fill(encoder, {s.attributes.output()});
     s.clock.begin(encoder);
-    const auto record = [&](StageId id, const Stage DomainStages::*stage, std::uint64_t elements) {
+    // `dispatch` records a stage of a domain: pass, domain, parameters, items.
+    const auto record = [&](StageId id, std::uint64_t elements, const auto& dispatch) {
         const std::uint32_t lanes = lanes_log2(s.device.info(), batch.patch_count, elements);
         gpu::ComputePass pass = encoder.begin_compute_pass();
         for (const DomainStages& d : s.domains) {
@@ -411,14 +419,25 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
                                              s.stride(),
                                              d.pattern.stride,
                                              s.uvs_of(d.domain)};
-            (d.*stage).record(pass, s.parameters.push(params), std::uint64_t{count} << lanes);
+            dispatch(pass, d, s.parameters.push(params), std::uint64_t{count} << lanes);
         }
         pass.end();
         s.clock.mark(encoder, id);
     };
-    record(StageId::vertices, &DomainStages::vertices, batch.vertex_count);
-    record(StageId::indices, &DomainStages::indices, batch.index_count / 3);
-    if (s.has_tangents()) record(StageId::tangents, &DomainStages::tangents, batch.vertex_count);
+    const auto of_domain = [](const Stage DomainStages::*stage) {
+        return [stage](gpu::ComputePass& pass, const DomainStages& d, std::uint32_t parameters, std::uint64_t items) {
+            (d.*stage).record(pass, parameters, items);
+        };
+    };
+    record(StageId::vertices, batch.vertex_count, of_domain(&DomainStages::vertices));
+    record(StageId::indices, batch.index_count / 3, of_domain(&DomainStages::indices));
+    if (s.has_tangents()) record(StageId::tangents, batch.vertex_count, of_domain(&DomainStages::tangents));
+    if (s.attributes.is_wanted()) {
+        record(StageId::attributes, batch.vertex_count,
+               [&s](gpu::ComputePass& pass, const DomainStages& d, std::uint32_t parameters, std::uint64_t items) {
+                   s.attributes.record(pass, d.domain, parameters, items);
+               });
+    }
     s.clock.finish(encoder);
     s.parameters.upload(s.device);
     s.device.queue().submit(encoder.finish());
@@ -446,6 +465,10 @@ std::vector<StageView> Job::emitted_views() const {
     if (s.has_tangents()) {
         views.push_back({StageId::tangents, s.tangents, std::uint64_t{s.emitted.vertex_count} * sizeof(Tangent), true});
     }
+    if (s.attributes.is_wanted()) {
+        views.push_back({StageId::attributes, s.attributes.output(),
+                         std::uint64_t{s.emitted.vertex_count} * sizeof(VertexAttributes), true});
+    }
     return views;
 }
 
@@ -455,7 +478,7 @@ const StageTimes& Job::times() {
 
 std::uint64_t Job::device_bytes() const {
     const State& s = *state_;
-    std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes();
+    std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes() + s.attributes.device_bytes();
     for (const gpu::Buffer* buffer : {&s.control_vertices, &s.vertex_tag_buffer, &s.corner_tag_buffer, &s.patch_corners,
                                       &s.patch_list, &s.nets, &s.vertices, &s.indices, &s.tangents}) {
         bytes += *buffer ? buffer->size() : 0;

@@ -11,9 +11,10 @@
 
 namespace tessera {
 
-/// The stages in the order of their work. Only jobs that are asked for tangents have the last.
-enum class StageId { factors, control_nets, counts, scan, vertices, indices, tangents };
-inline constexpr std::size_t stage_count = 7;
+/// The stages in the order of their work. Only jobs that are asked for tangents make them, and only those of patches
+/// with colours or normal maps have attributes.
+enum class StageId { factors, control_nets, counts, scan, vertices, indices, tangents, attributes };
+inline constexpr std::size_t stage_count = 8;
 std::string_view name(StageId stage);
 
 /// A stage's output as it lies on the device after prepare() or emit().
@@ -57,7 +58,7 @@ public:
 
     /// What count() and prepare() left on the device: factors, control nets, counts, scan.
     std::vector<StageView> prepared_views() const;
-    /// What the last emit() left: vertices, indices and, where the job makes them, tangents.
+    /// What the last emit() left: vertices, indices and, where the job makes them, tangents and attributes.
     std::vector<StageView> emitted_views() const;
     /// Waits, and adds up what has run so far.
     const StageTimes& times();

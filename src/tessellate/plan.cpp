@@ -29,14 +29,15 @@ std::uint32_t net_stride(const TessellationOptions& options, bool has_quads) {
 }
 
 JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes,
-                 const TessellationOptions& options, const gpu::Limits& limits) {
+                 const TessellationOptions& options, const gpu::Limits& limits, std::uint64_t attribute_bytes) {
     const std::uint64_t net_bytes = std::uint64_t{net_stride(options, has_quads)} * 4;
-    const std::uint64_t per_patch = chunk_bytes_per_patch(options, net_bytes);
+    const std::uint64_t per_patch = chunk_bytes_per_patch(options, net_bytes) + attribute_bytes;
     constexpr std::uint64_t small_buffers = 64 << 10;  // kernel parameters, query results
     constexpr std::uint64_t patch_vertex_bytes = largest_patch_vertices * sizeof(Vertex);
     constexpr std::uint64_t patch_index_bytes = largest_patch_indices * 4;
-    // Vertices, and tangents of the same size.
-    const std::uint64_t vertex_buffers = options.tangents == Tangents::none ? 1 : 2;
+    // Vertices, and tangents and attributes of the same size.
+    const std::uint64_t vertex_buffers =
+        1 + (options.tangents == Tangents::none ? 0 : 1) + (attribute_bytes == 0 ? 0 : 1);
     const std::uint64_t least_output = vertex_buffers * patch_vertex_bytes + patch_index_bytes;
     const std::uint64_t least = shared_bytes + small_buffers + per_patch + least_output;
     if (options.memory_budget < least) {
@@ -48,7 +49,7 @@ JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared
     const std::uint64_t free_bytes = options.memory_budget - shared_bytes - small_buffers;
     const std::uint64_t by_budget =
         std::max<std::uint64_t>(1, std::min(free_bytes / 3, free_bytes - least_output) / per_patch);
-    const std::uint64_t by_binding = binding / net_bytes;
+    const std::uint64_t by_binding = binding / std::max(net_bytes, attribute_bytes);
     const std::uint64_t by_offsets = 0xffffffffull / largest_patch_indices;
     const std::uint64_t chunk = std::min({by_budget, by_binding, by_offsets, patch_count});
 

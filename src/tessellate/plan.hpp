@@ -37,7 +37,7 @@ struct Batch {
 struct JobPlan {
     std::vector<Chunk> chunks;
     std::uint32_t largest_chunk = 0;        ///< patches
-    std::uint64_t vertex_buffer_bytes = 0;  ///< at most, for one batch; where there are tangents, they take as much
+    std::uint64_t vertex_buffer_bytes = 0;  ///< at most, for one batch; tangents and attributes take as much each
     std::uint64_t index_buffer_bytes = 0;   ///< likewise
 };
 
@@ -45,10 +45,11 @@ struct JobPlan {
 std::uint32_t net_stride(const TessellationOptions& options, bool has_quads);
 
 /// Cuts `patch_count` patches into chunks so that chunk buffers take about a third of the memory budget, fit a binding
-/// and have 32-bit offsets. `shared_bytes` is what the job holds besides (control vertices). Throws Error(usage)
+/// and have 32-bit offsets. `shared_bytes` is what the job holds besides (control vertices), `attribute_bytes` what it
+/// holds per patch for attributes of corners, 0 where there are none. Throws Error(usage)
 /// where the budget cannot hold a single patch, with the least budget that can.
 JobPlan plan_job(std::uint64_t patch_count, bool has_quads, std::uint64_t shared_bytes,
-                 const TessellationOptions& options, const gpu::Limits& limits);
+                 const TessellationOptions& options, const gpu::Limits& limits, std::uint64_t attribute_bytes = 0);
 
 /// Cuts a chunk into batches that fit the plan's buffers. `offsets` has one entry per patch and one for the totals.
 /// Patches without output make no batch of their own.

@@ -3,6 +3,7 @@
 
 #include "base/tangent.hpp"
 #include "base/vertex.hpp"
+#include "base/vertex_attributes.hpp"
 
 #include <cstdint>
 #include <span>
@@ -24,8 +25,10 @@ struct MeshTotals {
     std::uint64_t vertex_count = 0;
     std::uint64_t index_count = 0;
     std::vector<MeshPart> parts;
-    bool has_quads = false;     ///< whether batches mark quads
-    bool has_tangents = false;  ///< whether batches bring tangents
+    bool has_quads = false;       ///< whether batches mark quads
+    bool has_tangents = false;    ///< whether batches bring tangents
+    bool has_attributes = false;  ///< whether batches bring attributes
+    bool has_colors = false;      ///< whether the colours of these are not all white for want of others
 };
 
 /// A piece of the output. Batches come in order; vertices and indices continue those of the batch before. Indices are
@@ -41,6 +44,8 @@ struct MeshBatch {
     std::span<const std::uint8_t> quads{};
     /// Empty, or one element per vertex.
     std::span<const Tangent> tangents{};
+    /// Empty, or one element per vertex.
+    std::span<const VertexAttributes> attributes{};
 };
 
 /// Receives batches; what writers and rasterisers implement.

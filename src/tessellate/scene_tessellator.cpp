@@ -5,20 +5,28 @@
 namespace tessera {
 namespace {
 
-/// Hair has no quads; where the surface before it marks its own, its batches say so.
-class WithoutQuads final : public MeshSink {
+/// Hair has no quads and no attributes; where the surface before it has, its batches say so.
+class LikeSurface final : public MeshSink {
 public:
-    explicit WithoutQuads(MeshSink& sink) : sink_(sink) {}
+    LikeSurface(MeshSink& sink, const MeshTotals& totals) : sink_(sink), totals_(totals) {}
     void append(const MeshBatch& batch) override {
-        none_.assign(batch.indices.size() / 3, 0);
         MeshBatch marked = batch;
-        marked.quads = none_;
+        if (totals_.has_quads) {
+            no_quads_.assign(batch.indices.size() / 3, 0);
+            marked.quads = no_quads_;
+        }
+        if (totals_.has_attributes) {
+            no_attributes_.assign(batch.vertices.size(), {});
+            marked.attributes = no_attributes_;
+        }
         sink_.append(marked);
     }
 
 private:
     MeshSink& sink_;
-    std::vector<std::uint8_t> none_;
+    const MeshTotals& totals_;
+    std::vector<std::uint8_t> no_quads_;
+    std::vector<VertexAttributes> no_attributes_;
 };
 
 }  // namespace
@@ -69,9 +77,8 @@ void SceneTessellator::run(MeshSink& sink, Space space, const std::function<void
         });
     }
     if (hair_) {
-        WithoutQuads marking(sink);
-        MeshSink& target = totals_.has_quads ? marking : sink;
-        hair_->run(target, first_vertex, totals_.index_count - hair_indices, space, [&](double done) {
+        LikeSurface like_surface(sink, totals_);
+        hair_->run(like_surface, first_vertex, totals_.index_count - hair_indices, space, [&](double done) {
             if (progress) progress(share + (1.0 - share) * done);
         });
     }

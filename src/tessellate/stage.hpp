@@ -26,7 +26,7 @@ public:
     void upload(gpu::Device& device);
     const gpu::Buffer& buffer() const { return buffer_; }
 
-    static constexpr std::uint32_t slot_bytes = 256;
+    static constexpr std::uint32_t slot_bytes = 512;
 
 private:
     std::uint32_t push_bytes(std::span<const std::byte> bytes);

@@ -73,6 +73,8 @@ Tessellator::Tessellator(const gpu::Device& device, const patches::PatchSet& pat
     marks_quads_ = options.topology == Topology::quads;
     totals_.has_quads = marks_quads_;
     totals_.has_tangents = options.tangents != Tangents::none;
+    totals_.has_attributes = !patches.corner_attributes.empty();
+    totals_.has_colors = patches.has_colors;
 }
 
 std::vector<std::uint32_t> Tessellator::read_records() {
@@ -93,6 +95,7 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
     std::vector<std::uint32_t> indices, records;
     std::vector<std::uint8_t> quads;
     std::vector<Tangent> tangents;
+    std::vector<VertexAttributes> attributes;
     std::uint64_t first_vertex = 0;
     std::uint64_t first_index = 0;
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
@@ -113,13 +116,18 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
                 tangents.resize(batch.vertex_count);
                 device_.queue().read_buffer(views[2].buffer, 0, std::as_writable_bytes(std::span(tangents)));
             }
+            if (totals_.has_attributes) {
+                assert(views.back().stage == StageId::attributes);
+                attributes.resize(batch.vertex_count);
+                device_.queue().read_buffer(views.back().buffer, 0, std::as_writable_bytes(std::span(attributes)));
+            }
             if (space == Space::model) {
                 scale_to_model(vertices, patches_.exponent);
             }
             if (marks_quads_) {
                 mark_batch(batch, job_.offsets(), records, static_cast<std::uint32_t>(first_vertex), indices, quads);
             }
-            sink.append({first_vertex, first_index, vertices, indices, quads, tangents});
+            sink.append({first_vertex, first_index, vertices, indices, quads, tangents, attributes});
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;
             if (progress) {
@@ -134,6 +142,7 @@ void RefinedMesh::append(const MeshBatch& batch) {
     vertices.insert(vertices.end(), batch.vertices.begin(), batch.vertices.end());
     indices.insert(indices.end(), batch.indices.begin(), batch.indices.end());
     tangents.insert(tangents.end(), batch.tangents.begin(), batch.tangents.end());
+    attributes.insert(attributes.end(), batch.attributes.begin(), batch.attributes.end());
 }
 
 RefinedMesh tessellate(const gpu::Device& device, const patches::PatchSet& patches,
@@ -143,6 +152,7 @@ RefinedMesh tessellate(const gpu::Device& device, const patches::PatchSet& patch
     mesh.vertices.reserve(tessellator.totals().vertex_count);
     mesh.indices.reserve(tessellator.totals().index_count);
     mesh.tangents.reserve(tessellator.totals().has_tangents ? tessellator.totals().vertex_count : 0);
+    mesh.attributes.reserve(tessellator.totals().has_attributes ? tessellator.totals().vertex_count : 0);
     mesh.parts = tessellator.totals().parts;
     tessellator.run(mesh);
     return mesh;

@@ -1,5 +1,6 @@
 // Tessellates patches on a device and hands the result on in batches. The whole pipeline in one call:
 //   1 factors  2 control nets  3 counts  4 scan  5 vertices  6 indices  and, where asked for, 7 tangents
+//   and, where patches have any, 8 attributes (colours, tangents of normal maps)
 #pragma once
 
 #include "gpu/device.hpp"
@@ -47,7 +48,8 @@ private:
 struct RefinedMesh : MeshSink {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<Tangent> tangents;  ///< one per vertex, or none
+    std::vector<Tangent> tangents;             ///< one per vertex, or none
+    std::vector<VertexAttributes> attributes;  ///< likewise
     std::vector<MeshPart> parts;
 
     void append(const MeshBatch& batch) override;

@@ -79,16 +79,17 @@ ReadMesh read_glb(const std::filesystem::path& path) {
         read_attribute(glb, attributes["POSITION"], "VEC3", 3, offsetof(Vertex, position), to);
         read_attribute(glb, attributes["NORMAL"], "VEC3", 3, offsetof(Vertex, normal), to);
         read_attribute(glb, attributes["TEXCOORD_0"], "VEC2", 2, offsetof(Vertex, uv), to);
-        if (attributes.contains("TANGENT")) {
-            const nlohmann::json& accessor = glb.json["accessors"][attributes["TANGENT"].get<std::size_t>()];
+        for (const auto& [name, vectors] : {std::pair{"TANGENT", &mesh.tangents}, {"COLOR_0", &mesh.colors}}) {
+            if (!attributes.contains(name)) continue;
+            const nlohmann::json& accessor = glb.json["accessors"][attributes[name].get<std::size_t>()];
             const nlohmann::json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
             require(accessor["type"] == "VEC4" && accessor["componentType"] == 5126 && accessor["count"] == count &&
                         view["byteStride"] == 16 && view["target"] == 34962,
-                    "TANGENT");
+                    name);
             for (std::size_t i = 0; i < count; ++i) {
                 const std::size_t within = accessor.value("byteOffset", 0u) + 16 * i;
-                require(within + 16 <= view["byteLength"], "tangents beyond their view");
-                mesh.tangents.push_back(take<std::array<float, 4>>(glb.binary, view.value("byteOffset", 0u) + within));
+                require(within + 16 <= view["byteLength"], std::string(name) + " beyond its view");
+                vectors->push_back(take<std::array<float, 4>>(glb.binary, view.value("byteOffset", 0u) + within));
             }
         }
         ReadPart part;
@@ -173,11 +174,15 @@ ReadMesh read_ply(const std::filesystem::path& path) {
         if (line.starts_with("property ")) properties += line.substr(9) + ";";
     }
     const std::string frame = "float tx;float ty;float tz;float tw;float bx;float by;float bz;";
+    const std::string colour = "float red;float green;float blue;float alpha;";
     const bool has_tangents = properties.find(frame) != std::string::npos;
+    const bool has_colors = properties.find(colour) != std::string::npos;
     require(properties == "float x;float y;float z;float nx;float ny;float nz;float s;float t;" +
-                              (has_tangents ? frame : "") + "list uchar uint vertex_indices;",
+                              (has_tangents ? frame : "") + (has_colors ? colour : "") +
+                              "list uchar uint vertex_indices;",
             properties);
-    const std::size_t stride = has_tangents ? 60 : 32;
+    const std::size_t colors_at = has_tangents ? 60 : 32;
+    const std::size_t stride = colors_at + (has_colors ? 16 : 0);
     require(bytes.size() == data + stride * vertices + 13 * faces, "PLY size");
     ReadMesh mesh;
     for (std::size_t i = 0; i < vertices; ++i)
@@ -186,6 +191,8 @@ ReadMesh read_ply(const std::filesystem::path& path) {
         mesh.tangents.push_back(take<std::array<float, 4>>(bytes, data + stride * i + 32));
         mesh.bitangents.push_back(take<std::array<float, 3>>(bytes, data + stride * i + 48));
     }
+    for (std::size_t i = 0; i < vertices && has_colors; ++i)
+        mesh.colors.push_back(take<std::array<float, 4>>(bytes, data + stride * i + colors_at));
     mesh.parts.resize(1);
     for (std::size_t i = 0; i < faces; ++i) {
         const std::size_t at = data + stride * vertices + 13 * i;

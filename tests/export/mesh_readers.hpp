@@ -20,6 +20,7 @@ struct ReadMesh {
     std::vector<ReadPart> parts;
     std::vector<std::array<float, 4>> tangents;    ///< of .glb and .ply files that have them
     std::vector<std::array<float, 3>> bitangents;  ///< of .ply files that have them
+    std::vector<std::array<float, 4>> colors;      ///< of .glb and .ply files that have them
 };
 
 struct GlbFile {

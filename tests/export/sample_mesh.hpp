@@ -36,7 +36,8 @@ struct SampleMesh {
     MeshTotals totals;
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<Tangent> tangents;  ///< none at first
+    std::vector<Tangent> tangents;             ///< none at first
+    std::vector<VertexAttributes> attributes;  ///< likewise
     scene::Scene scene;
 };
 
@@ -108,6 +109,18 @@ inline SampleMesh sample_mesh_with_tangents(std::uint32_t patches) {
     return mesh;
 }
 
+/// Gives the mesh any colours.
+inline void paint(SampleMesh& mesh) {
+    std::mt19937 random(3);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        mesh.attributes.emplace_back();
+        for (float& c : mesh.attributes.back().color)
+            c = static_cast<float>(random() % 20001) / 20000.0f;
+    }
+    mesh.totals.has_attributes = true;
+    mesh.totals.has_colors = true;
+}
+
 /// Appends patches [first, last) as one batch.
 inline void append_patches(exporting::MeshWriter& writer, const SampleMesh& mesh, std::size_t first, std::size_t last) {
     writer.append({4 * first,
@@ -116,7 +129,9 @@ inline void append_patches(exporting::MeshWriter& writer, const SampleMesh& mesh
                    std::span(mesh.indices).subspan(6 * first, 6 * (last - first)),
                    {},
                    mesh.tangents.empty() ? std::span<const Tangent>()
-                                         : std::span(mesh.tangents).subspan(4 * first, 4 * (last - first))});
+                                         : std::span(mesh.tangents).subspan(4 * first, 4 * (last - first)),
+                   mesh.attributes.empty() ? std::span<const VertexAttributes>()
+                                           : std::span(mesh.attributes).subspan(4 * first, 4 * (last - first))});
 }
 
 /// Writes the whole mesh in batches of `batch` patches.

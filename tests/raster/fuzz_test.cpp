@@ -67,10 +67,17 @@ TEST(Fuzz, OfTrianglesIsTheSameEverywhere) {
         std::vector<std::uint32_t> indices(3 * (1 + random() % 120));
         for (std::uint32_t& index : indices)
             index = random() % vertices.size();  // zero area among them
-        const image::Image expected = draw_portable(devices.front(), frame, vertices, indices, material);
+        std::vector<VertexAttributes> attributes(random() % 3 == 0 ? 0 : vertices.size());
+        for (VertexAttributes& a : attributes) {
+            for (float* at : {a.color, a.tangent}) {
+                for (int i = 0; i < 4; ++i)
+                    at[i] = wild(random);
+            }
+        }
+        const image::Image expected = draw_portable(devices.front(), frame, vertices, indices, material, attributes);
         ASSERT_EQ(expected.rgba.size(), std::size_t{frame.width} * frame.height * 4);
         for (const gpu::Device& device : devices) {
-            EXPECT_EQ(draw_portable(device, frame, vertices, indices, material).rgba, expected.rgba)
+            EXPECT_EQ(draw_portable(device, frame, vertices, indices, material, attributes).rgba, expected.rgba)
                 << device.info().id;
         }
     }

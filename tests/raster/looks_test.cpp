@@ -1,9 +1,11 @@
 // Views, models of reflection and metallic-roughness materials: what they show, and the same bits on every device.
+#include "patches/mikktspace.hpp"
 #include "raster/portable.hpp"
 #include "raster/portable_rasteriser.hpp"
 #include "support/devices.hpp"
 
 #include <cmath>
+#include <set>
 
 namespace tessera::test {
 namespace {
@@ -26,6 +28,7 @@ struct Square {
     std::vector<Vertex> vertices{place_vertex(frame, 0, 0), place_vertex(frame, 0, 4096),
                                  place_vertex(frame, 4096, 4096), place_vertex(frame, 4096, 0)};
     std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3};
+    std::vector<VertexAttributes> attributes;  // none at first
     scene::Material material;
     std::vector<scene::SceneImage> images;
 
@@ -55,6 +58,17 @@ struct Square {
         frame.lights = {light};
     }
 
+    /// Tangents for the material's normal map.
+    void add_tangents() {
+        const std::vector<patches::PatchCorners> faces{{0, 1, 2, 3}};
+        const auto tangents = patches::corner_tangents(vertices, faces, material.maps.normal->transform);
+        attributes.resize(4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (int k = 0; k < 4; ++k)
+                attributes[i].tangent[k] = tangents[0][i][k];
+        }
+    }
+
     /// Draws on every device, expects the same bits, and returns the picture.
     image::Image draw() const {
         std::optional<image::Image> first;
@@ -62,7 +76,7 @@ struct Square {
             const auto rasteriser = raster::open_portable(device);
             rasteriser->begin(frame);
             rasteriser->set_materials({material}, images);
-            rasteriser->draw(vertices, indices, 0);
+            rasteriser->draw(render::Draw{vertices, indices, 0, attributes});
             const image::Image picture = rasteriser->finish();
             if (!first) first = picture;
             EXPECT_EQ(picture.rgba, first->rgba) << device.info().id;
@@ -184,6 +198,7 @@ TEST(MetallicRoughness, TiltsNormalsAlongTheCoordinates) {
         }
         square.material.maps.normal =
             scene::Map{square.add_image(r, g, 220), scene::Wrap::repeat, scene::Wrap::repeat, transform};
+        square.add_tangents();
         return pixel_at(square.draw(), 8, 8)[0];
     };
     const glm::mat3 same(1.0f);
@@ -197,6 +212,145 @@ TEST(MetallicRoughness, TiltsNormalsAlongTheCoordinates) {
     turned[0][1] = -1.0f;
     turned[2][2] = 1.0f;
     EXPECT_LT(brightness(above, 200, 128, turned, false), brightness(above, 55, 128, turned, false) - 20);
+}
+
+// The frame is the interpolated one, neither unit nor at right angles, as bakers decode: x t + y w (n x t) + z n.
+TEST(MetallicRoughness, DecodesNormalMapsAsMikktspaceDoes) {
+    std::set<int> shown;
+    for (const float w : {1.0f, -1.0f}) {
+        for (const bool behind : {false, true}) {
+            Square square;
+            square.material.roughness = 1.0f;
+            square.material.double_sided = true;
+            square.material.maps.normal = scene::Map{square.add_image(191, 150, 230)};
+            if (behind)
+                std::swap(square.indices[1], square.indices[2]), std::swap(square.indices[4], square.indices[5]);
+            const glm::dvec3 n(0.2, -0.1, behind ? -0.8 : 0.8), t(0.7, 0.4, 0.1);
+            for (Vertex& vertex : square.vertices) {
+                for (int k = 0; k < 3; ++k)
+                    vertex.normal[k] = static_cast<float>(n[k]);
+            }
+            VertexAttributes frame;
+            for (int k = 0; k < 3; ++k)
+                frame.tangent[k] = static_cast<float>(t[k]);
+            frame.tangent[3] = w;
+            square.attributes.assign(4, frame);
+            const glm::dvec3 b = static_cast<double>(w) * glm::cross(n, t);
+            glm::dvec3 expected = (2.0 * 191 / 255 - 1) * t + (2.0 * 150 / 255 - 1) * b + (2.0 * 230 / 255 - 1) * n;
+            expected = glm::normalize(expected) * (behind ? -1.0 : 1.0);
+            Square plain;  // whose normal is that
+            plain.material = square.material;
+            plain.material.maps.normal.reset();
+            plain.indices = square.indices;
+            for (Vertex& vertex : plain.vertices) {
+                for (int k = 0; k < 3; ++k)
+                    vertex.normal[k] = static_cast<float>(expected[k]) * (behind ? -1.0f : 1.0f);
+            }
+            for (const glm::vec3& direction : {glm::vec3(1, 0, 1), {-1, 0, 1}, {0, 1, 1}, {0, -1, 1}, {0, 0, 1}}) {
+                scene::Light light;
+                light.direction = glm::normalize(direction);
+                square.frame.lights = plain.frame.lights = {light};
+                const int wanted = pixel_at(plain.draw(), 8, 8)[1];
+                EXPECT_NEAR(pixel_at(square.draw(), 8, 8)[1], wanted, 1) << w << behind << direction.x << direction.y;
+                shown.insert(wanted);
+            }
+        }
+    }
+    EXPECT_GT(shown.size(), 10u);
+}
+
+TEST(MetallicRoughness, LeavesNormalsAloneWithoutTangents) {
+    Square square;
+    square.light_ahead(1.5f);
+    square.material.roughness = 1.0f;
+    const Pixel flat = pixel_at(square.draw(), 8, 8);
+    square.material.maps.normal = scene::Map{square.add_image(255, 128, 128)};
+    EXPECT_EQ(pixel_at(square.draw(), 8, 8), flat);
+    square.add_tangents();
+    EXPECT_NE(pixel_at(square.draw(), 8, 8), flat);
+}
+
+/// Red, green, blue and black corners.
+void paint_corners(Square& square) {
+    square.attributes.resize(4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 3; ++k)
+            square.attributes[i].color[k] = i == k ? 1.0f : 0.0f;
+    }
+}
+
+TEST(VertexColours, VaryLinearlyInEveryShadingWithColours) {
+    for (const auto shading : {render::Shading::phong, render::Shading::reflection, render::Shading::pbr}) {
+        Square square;
+        paint_corners(square);
+        square.frame.shading = shading;
+        // All light, whatever the model: ambient, or none at all.
+        square.frame.reflection = {true, 1.0f, 0.0f, 0.0f, 1.0f, {0, 0, 1}, false, {}};
+        square.material.unlit = true;
+        for (Vertex& vertex : square.vertices)
+            vertex.normal[2] = shading == render::Shading::phong ? -1.0f : 1.0f;  // away from the light
+        const double light = shading == render::Shading::phong ? 0.4 : 1.0;
+        const image::Image picture = square.draw();
+        // Corners lie at the upper left, lower left, lower right and upper right; the diagonal joins the first and
+        // third.
+        const auto expect = [&](std::uint32_t x, std::uint32_t y, double r, double g, double b) {
+            const Pixel pixel = pixel_at(picture, x, y);
+            EXPECT_NEAR(pixel[0], code_of(light * r), 1);
+            EXPECT_NEAR(pixel[1], code_of(light * g), 1);
+            EXPECT_NEAR(pixel[2], code_of(light * b), 1);
+        };
+        const double u = 2.5 / 16, v = 12.5 / 16;  // in the triangle of red, green and blue
+        expect(2, 12, 1 - v, v - u, u);
+        expect(12, 2, 1 - v, 0, u);  // red, blue and black, mirrored
+    }
+}
+
+TEST(VertexColours, MultiplyFactorTextureAndAlpha) {
+    for (const auto shading : {render::Shading::phong, render::Shading::reflection, render::Shading::pbr}) {
+        Square square;
+        square.frame.shading = shading;
+        square.frame.reflection = {true, 1.0f, 0.0f, 0.0f, 1.0f, {0, 0, 1}, false, {}};
+        square.material.unlit = true;
+        square.material.base_color = {0.5f, 1.0f, 1.0f, 0.9f};
+        square.material.base_color_image = square.add_image(255, 188, 255, 204);
+        for (Vertex& vertex : square.vertices)
+            vertex.normal[2] = shading == render::Shading::phong ? -1.0f : 1.0f;
+        const double light = shading == render::Shading::phong ? 0.4 : 1.0;
+        VertexAttributes colour;
+        colour.color[0] = 0.5f;
+        colour.color[1] = 0.8f;
+        colour.color[3] = 0.5f;  // 0.9 x 0.8 x 0.5 = 0.36
+        square.attributes.assign(4, colour);
+        const Pixel expected{code_of(light * 0.25), code_of(light * 0.8 * 0.5029), code_of(light), 255};
+        const Pixel opaque = pixel_at(square.draw(), 8, 8);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(opaque[i], expected[i], 1);
+        square.material.alpha_mode = scene::AlphaMode::mask;
+        square.material.alpha_cutoff = 0.37f;
+        EXPECT_EQ(pixel_at(square.draw(), 8, 8)[3], 0);
+        square.material.alpha_cutoff = 0.35f;
+        EXPECT_EQ(pixel_at(square.draw(), 8, 8), opaque);
+        square.material.alpha_mode = scene::AlphaMode::blend;
+        EXPECT_NEAR(pixel_at(square.draw(), 8, 8)[3], 92, 1);
+    }
+}
+
+TEST(VertexColours, ThatAreWhiteOrOutOfRangeChangeNothing) {
+    for (const auto shading : {render::Shading::phong, render::Shading::reflection, render::Shading::pbr}) {
+        Square square;
+        square.frame.shading = shading;
+        square.light_ahead(1.5f);
+        square.material.base_color_image = square.add_image(200, 188, 17);
+        const image::Image plain = square.draw();
+        square.attributes.resize(4);
+        EXPECT_EQ(square.draw().rgba, plain.rgba);
+        for (float& c : square.attributes[1].color)
+            c = 1e30f;
+        square.attributes[2].color[0] = INFINITY;
+        square.attributes[2].tangent[0] = NAN;
+        square.attributes[3].tangent[1] = -INFINITY;
+        EXPECT_EQ(square.draw().rgba, plain.rgba);
+    }
 }
 
 TEST(MetallicRoughness, WrapsAsTheMapSays) {

@@ -39,7 +39,7 @@ struct Subject {
         rasteriser.begin(frame);
         rasteriser.set_materials(scene.materials, scene.images);
         render::DrawSink sink(rasteriser, mesh.parts);
-        sink.append({0, 0, mesh.vertices, mesh.indices});
+        sink.append({0, 0, mesh.vertices, mesh.indices, {}, {}, mesh.attributes});
         return rasteriser.finish();
     }
 };

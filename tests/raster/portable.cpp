@@ -29,11 +29,12 @@ Vertex place_vertex(const render::Frame& frame, int x, int y, float z) {
 }
 
 image::Image draw_portable(const gpu::Device& device, const render::Frame& frame, const std::vector<Vertex>& vertices,
-                           const std::vector<std::uint32_t>& indices, const scene::Material& material) {
+                           const std::vector<std::uint32_t>& indices, const scene::Material& material,
+                           const std::vector<VertexAttributes>& attributes) {
     const auto rasteriser = raster::open_portable(device);
     rasteriser->begin(frame);
     rasteriser->set_materials({material}, {});
-    rasteriser->draw(vertices, indices, 0);
+    rasteriser->draw(render::Draw{vertices, indices, 0, attributes});
     return rasteriser->finish();
 }
 

@@ -17,7 +17,8 @@ Vertex place_vertex(const render::Frame& frame, int x, int y, float z = 0.0f);
 
 /// Draws with one material.
 image::Image draw_portable(const gpu::Device& device, const render::Frame& frame, const std::vector<Vertex>& vertices,
-                           const std::vector<std::uint32_t>& indices, const scene::Material& material = {});
+                           const std::vector<std::uint32_t>& indices, const scene::Material& material = {},
+                           const std::vector<VertexAttributes>& attributes = {});
 
 /// How often each sample of a picture of 1 sample is covered, up to 5 times: drawn as glass of half alpha, in the order
 /// of triangles, each layer leaves half of the light through.

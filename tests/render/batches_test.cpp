@@ -45,7 +45,7 @@ RC_GTEST_PROP(Batches, AreNarrowOrCutIntoCorners, ()) {
     std::vector<std::uint32_t> local(indices.size());
     std::vector<Vertex> corners(indices.size());
     write_local_indices(batch, local.data());
-    write_corners(batch, vertices, corners.data());
+    write_corners(batch, std::span<const Vertex>(vertices), corners.data());
     for (std::size_t i = 0; i < indices.size(); ++i) {
         RC_ASSERT(local[i] + batch.first_vertex == indices[i]);
         RC_ASSERT(corners[i].position[0] == static_cast<float>(indices[i]));

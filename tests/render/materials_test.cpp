@@ -76,6 +76,35 @@ TEST_P(Materials, FactorMultipliesTextureAndEachDrawHasItsOwn) {
     expect_pixel(picture, 58, 8, {0, srgb(ambient * 0.5), 0, 255}, 1);
 }
 
+TEST_P(Materials, ColoursOfVerticesMultiplyAndVaryLinearly) {
+    scene::Material material;
+    material.base_color = {0.5f, 1.0f, 1.0f, 1.0f};
+    const DrawnMesh mesh = rectangle({-1, -1}, {1, 1}, 0, unlit);
+    std::vector<VertexAttributes> colours(mesh.vertices.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const float right = mesh.vertices[i].position[0] * 0.5f + 0.5f;
+        colours[i].color[1] = right;
+        colours[i].color[2] = 1.0f - right;
+    }
+    rasteriser->begin(frame);
+    rasteriser->set_materials({material}, {});
+    rasteriser->draw(render::Draw{mesh.vertices, mesh.indices, 0, colours});
+    image::Image picture = rasteriser->finish();
+    for (const std::uint32_t x : {0u, 20u, 50u}) {
+        const double right = (x + 0.5) / 64;
+        expect_pixel(picture, x, 30, {srgb(ambient * 0.5), srgb(ambient * right), srgb(ambient * (1 - right)), 255}, 1);
+    }
+    // Alpha too, and a draw without colours behind one with them is white again.
+    for (VertexAttributes& c : colours)
+        c.color[3] = 0.25f;
+    material.alpha_mode = scene::AlphaMode::mask;
+    rasteriser->begin(frame);
+    rasteriser->set_materials({material}, {});
+    rasteriser->draw(render::Draw{mesh.vertices, mesh.indices, 0, colours});
+    expect_pixel(rasteriser->finish(), 20, 20, {0, 0, 0, 0}, 0);
+    expect_pixel(draw(mesh, material), 20, 20, {srgb(ambient * 0.5), srgb(ambient), srgb(ambient), 255}, 1);
+}
+
 TEST_P(Materials, MaskDropsPixelsBelowTheCutoff) {
     scene::Material material;
     material.alpha_mode = scene::AlphaMode::mask;

@@ -46,6 +46,8 @@ TEST_P(Misuse, OfMeshesIsRefused) {
     expect_refusal([&] { rasteriser->draw(mesh.vertices, beyond, 0); }, "index 4");
     expect_refusal([&] { rasteriser->draw(mesh.vertices, std::span(mesh.indices).first(4), 0); }, "4 indices");
     expect_refusal([&] { rasteriser->draw(mesh.vertices, mesh.indices, 1); }, "material 1");
+    const std::vector<VertexAttributes> few(mesh.vertices.size() - 1);
+    expect_refusal([&] { rasteriser->draw(render::Draw{mesh.vertices, mesh.indices, 0, few}); }, "attributes of 3");
     expect_pixel(draw(mesh), 30, 30, {128, 128, 255, 255}, 1);
 }
 

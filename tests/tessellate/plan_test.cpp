@@ -21,11 +21,12 @@ TessellationOptions with_budget(std::uint64_t bytes, Scheme scheme = Scheme::pn)
 }
 
 /// The least budget, out of the refusal of a smaller one.
-std::uint64_t least_budget(std::uint64_t shared_bytes, const TessellationOptions& options, bool has_quads = false) {
+std::uint64_t least_budget(std::uint64_t shared_bytes, const TessellationOptions& options, bool has_quads = false,
+                           std::uint64_t attribute_bytes = 0) {
     try {
         TessellationOptions poor = options;
         poor.memory_budget = 1;
-        plan_job(10, has_quads, shared_bytes, poor, {});
+        plan_job(10, has_quads, shared_bytes, poor, {}, attribute_bytes);
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
         const std::string sentence = error.what();
@@ -51,14 +52,15 @@ RC_GTEST_PROP(PlanJob, ChunksCoverEveryPatchWithinTheLimits, ()) {
     limits.max_storage_binding_size = *rc::gen::inRange<std::uint64_t>(1 << 20, 1 << 30);
     const auto has_quads = *rc::gen::arbitrary<bool>();
     const auto tangents = *rc::gen::element(Tangents::none, Tangents::surface, Tangents::uv);
+    const auto attribute_bytes = *rc::gen::element<std::uint64_t>(0, 128);
     TessellationOptions any_budget = with_budget(0, scheme);
     any_budget.tangents = tangents;
-    const std::uint64_t least = least_budget(shared, any_budget, has_quads);
+    const std::uint64_t least = least_budget(shared, any_budget, has_quads, attribute_bytes);
     // Near the least budget the largest patch takes most of it.
     const auto extra = *rc::gen::inRange<std::uint64_t>(0, *rc::gen::element(10'000, 1'000'000, 2'000'000'000));
     TessellationOptions options = with_budget(least + extra, scheme);
     options.tangents = tangents;
-    const JobPlan plan = plan_job(patch_count, has_quads, shared, options, limits);
+    const JobPlan plan = plan_job(patch_count, has_quads, shared, options, limits, attribute_bytes);
     std::uint64_t next = 0;
     for (const Chunk& chunk : plan.chunks) {
         RC_ASSERT(chunk.first_patch == next);

@@ -83,7 +83,11 @@ gpu::Device spoilt(const std::string& kernel, std::uint64_t word,
 }
 
 std::vector<DeviceComparison> compare_with(std::vector<gpu::Device> devices) {
-    static const patches::PatchSet set = test::load_patches("shape:torus");
+    static const patches::PatchSet set = [] {
+        patches::PatchSet torus = test::load_patches("shape:torus");
+        torus.corner_attributes.resize(torus.corners.size());
+        return torus;
+    }();
     TessellationOptions options;
     options.factors = random_edge_factors(set, 1.0f, 6.0f, 1);
     options.tangents = Tangents::uv;
@@ -115,7 +119,7 @@ TEST_P(SpoiltStage, IsFoundInItsStageAndElement) {
     EXPECT_EQ(stage.differing, 1u);
     EXPECT_GT(stage.words, word);
     const bool floats = GetParam().stage == StageId::control_nets || GetParam().stage == StageId::vertices ||
-                        GetParam().stage == StageId::tangents;
+                        GetParam().stage == StageId::tangents || GetParam().stage == StageId::attributes;
     EXPECT_EQ(stage.first->is_float, floats);
     // What is spoilt after its submission spoils nothing else.
     for (std::size_t s = 0; s < stage_count; ++s) {
@@ -127,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Of, SpoiltStage,
                          testing::Values(Case{"factors", StageId::factors}, Case{"control_net", StageId::control_nets},
                                          Case{"counts", StageId::counts}, Case{"scan_offsets", StageId::scan},
                                          Case{"vertices", StageId::vertices}, Case{"indices", StageId::indices},
-                                         Case{"tangents", StageId::tangents}),
+                                         Case{"tangents", StageId::tangents}, Case{"attributes", StageId::attributes}),
                          [](const auto& info) { return std::string(info.param.kernel); });
 
 class ForgottenStage : public testing::TestWithParam<Case> {};
@@ -146,7 +150,7 @@ TEST_P(ForgottenStage, IsFound) {
 INSTANTIATE_TEST_SUITE_P(Of, ForgottenStage,
                          testing::Values(Case{"control_net", StageId::control_nets},
                                          Case{"vertices", StageId::vertices}, Case{"indices", StageId::indices},
-                                         Case{"tangents", StageId::tangents}),
+                                         Case{"tangents", StageId::tangents}, Case{"attributes", StageId::attributes}),
                          [](const auto& info) { return std::string(info.param.kernel); });
 
 // Both devices give the same NaN: the bits agree and it is wrong all the same.

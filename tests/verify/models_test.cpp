@@ -21,7 +21,10 @@ void expect_equal(const patches::PatchSet& set, const TessellationOptions& optio
     for (const verify::DeviceComparison& result : results) {
         for (std::size_t s = 0; s < stage_count; ++s) {
             const verify::StageComparison& stage = result.stages[s];
-            const bool made = static_cast<StageId>(s) != StageId::tangents || options.tangents != Tangents::none;
+            const auto id = static_cast<StageId>(s);
+            const bool made = id == StageId::tangents     ? options.tangents != Tangents::none
+                              : id == StageId::attributes ? !set.corner_attributes.empty()
+                                                          : true;
             EXPECT_EQ(stage.words > 0u, made) << name(static_cast<StageId>(s));
             EXPECT_EQ(stage.differing, 0u) << result.device.id << ", " << name(static_cast<StageId>(s)) << ", "
                                            << (stage.first ? verify::describe(*stage.first) : "");
@@ -86,6 +89,21 @@ INSTANTIATE_TEST_SUITE_P(Shared, Model, testing::ValuesIn(loadable_models()), []
     return word;
 });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Model);
+
+// Tangents of the file, and computed ones.
+TEST(Models, WithNormalMapsHaveTheSameAttributesOnEveryDevice) {
+    TESSERA_SHARED_OR_SKIP(shared);
+    for (const char* file : {"Avocado/Avocado_quantized.gltf", "NegativeScale/Node_NegativeScale_05.gltf",
+                             "SuzanneBlender/02_suzanne.gltf"}) {
+        SCOPED_TRACE(file);
+        const patches::PatchSet set =
+            patches::make_patches(scene::load_scene((shared / "models" / file).string(), {.all_maps = true}));
+        ASSERT_FALSE(set.corner_attributes.empty());
+        TessellationOptions options;
+        options.factors = random_edge_factors(set, 1.0f, 4.0f, 9);
+        expect_equal(set, options);
+    }
+}
 
 TEST(Models, AreThere) {
     TESSERA_SHARED_OR_SKIP(shared);

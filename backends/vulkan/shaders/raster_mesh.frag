@@ -8,6 +8,7 @@ layout(location = 0) in vec3 camera_position;
 layout(location = 1) in vec3 model_normal;
 layout(location = 2) in vec2 texture_uv;
 layout(location = 3) in vec3 barycentric;
+layout(location = 4) in vec4 vertex_colour;
 
 layout(set = 0, binding = 0) uniform Frame {
     mat4 view;
@@ -64,7 +65,7 @@ vec3 wire(vec3 barycentric) {
 }
 
 void main() {
-    vec4 base = material.base_color * texture(base_color_texture, texture_uv);
+    vec4 base = material.base_color * vertex_colour * texture(base_color_texture, texture_uv);
     vec3 edges = wire(barycentric);  // derivatives come before any discard
     if (base.a < material.alpha_cutoff) discard;
     float alpha = material.keeps_alpha != 0 ? base.a : 1.0;

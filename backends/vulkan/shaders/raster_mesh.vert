@@ -5,6 +5,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 colour;  // linear
 
 layout(set = 0, binding = 0) uniform Frame {
     mat4 view;        // to camera space; holds a uniform scale
@@ -16,12 +17,14 @@ layout(location = 0) out vec3 camera_position;
 layout(location = 1) out vec3 model_normal;
 layout(location = 2) out vec2 texture_uv;
 layout(location = 3) out vec3 barycentric;
+layout(location = 4) out vec4 vertex_colour;
 
 void main() {
     vec4 place = frame.view * vec4(position, 1.0);
     camera_position = place.xyz;
     model_normal = normal;
     texture_uv = uv;
+    vertex_colour = colour;
     int corner = gl_VertexIndex % 3;
     barycentric = vec3(corner == 0, corner == 1, corner == 2);
     gl_Position = frame.projection * place;
