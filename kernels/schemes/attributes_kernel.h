@@ -4,6 +4,7 @@
 // quads, and includes the domain first. No include guard: every variant includes it once.
 #include "emission.h"
 #include "schemes/surface_attributes.h"
+#include "tessellator/run_points.h"
 
 KERNELS_BEGIN
 
@@ -12,13 +13,13 @@ KERNEL6(ATTRIBUTES_KERNEL, READ(0, float, corner_attributes), READ(1, uint, reco
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
+        STREAM_END;
         return;
     }
     const uint patch_index = patch_list[e.entry];
     const uint start = VERTEX_START(p, offsets, patch_index);
     const uint count = VERTEX_COUNT(offsets, patch_index);
     const PATCH_TYPE t = LOAD_PATCH(records, patch_index);
-    const bool rings = PATCH_HAS_RINGS(t);
     const uint corners = PATCH_CORNERS * ATTRIBUTE_FLOATS * patch_index;
     SurfaceAttributes a0;
     LOAD_ATTRIBUTES(a0, corner_attributes, corners);
@@ -36,19 +37,7 @@ KERNEL6(ATTRIBUTES_KERNEL, READ(0, float, corner_attributes), READ(1, uint, reco
         const uint first = at - shift;
         uint us[RUN];
         uint vs[RUN];
-        if (rings) {
-            FOR_RUN(k) {
-                const DomainPoint point = RING_POINT(t, first + k);
-                us[k] = point.u;
-                vs[k] = point.v;
-            }
-        } else {
-            FOR_RUN(k) {
-                const DomainPoint point = PLAIN_POINT(t, first + k);
-                us[k] = point.u;
-                vs[k] = point.v;
-            }
-        }
+        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
         float run[RUN * ATTRIBUTE_FLOATS];
         FOR_RUN(k) {
 #if ATTRIBUTES_QUAD

@@ -7,17 +7,13 @@ namespace tessera::bench {
 namespace {
 
 constexpr std::size_t least_samples = 3;
-// A turn begins with runs that are not timed, for as long as this: the threads of whoever had the turn before come to
-// rest, and one's own wake up. Long runs are hardly touched by either.
-constexpr std::chrono::milliseconds settling{2};
-constexpr double long_run = 0.1;
+constexpr double long_run = 0.1;  // seconds; hardly touched by how a turn begins
 
-void settle(const Contestant& contestant) {
-    if (!contestant.seconds.empty() && contestant.seconds.back() > long_run) return;
-    const auto end = std::chrono::steady_clock::now() + settling;
-    do {
-        contestant.run();
-    } while (std::chrono::steady_clock::now() < end);
+void settle(const Contestant& contestant, double settling) {
+    if (settling <= 0.0 || (!contestant.seconds.empty() && contestant.seconds.back() > long_run)) return;
+    for (double settled = 0.0; settled < settling;) {
+        settled += time_once(contestant.run);
+    }
 }
 
 bool sits_out(const Contestant& contestant, const Effort& effort) {
@@ -45,7 +41,7 @@ void interleave(std::vector<Contestant>& contestants, const Effort& effort) {
     for (int i = 0; i < effort.repetitions; ++i) {
         for (Contestant& contestant : contestants) {
             if (sits_out(contestant, effort)) continue;
-            settle(contestant);
+            settle(contestant, effort.settling);
             contestant.seconds.push_back(time_once(contestant.run));
             if (contestant.after) contestant.after();
         }

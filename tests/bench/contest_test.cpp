@@ -1,6 +1,7 @@
 #include "bench/contest.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <string>
 #include <thread>
 
@@ -12,10 +13,22 @@ TEST(Interleave, TakesTurnsAfterWarmingUp) {
     std::vector<Contestant> contestants;
     contestants.push_back({"a", [&] { order += 'A'; }});
     contestants.push_back({"b", [&] { order += 'B'; }});
-    interleave(contestants, {3, 1, 10.0});
+    interleave(contestants, {3, 1, 10.0, 0.0});
     EXPECT_EQ(order, "ABABABAB");
     EXPECT_EQ(contestants[0].seconds.size(), 3u);
     EXPECT_EQ(contestants[1].seconds.size(), 3u);
+}
+
+TEST(Interleave, TurnsBeginWithRunsThatAreNotTimed) {
+    std::string order;
+    std::vector<Contestant> contestants;
+    contestants.push_back({"a", [&] { order += 'A'; }});
+    contestants.push_back({"b", [&] { order += 'B'; }});
+    interleave(contestants, {2, 0, 10.0, 1e-5});
+    EXPECT_EQ(contestants[0].seconds.size(), 2u);
+    EXPECT_EQ(order.find("AA"), 0u);
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    EXPECT_EQ(order, "ABAB");
 }
 
 TEST(Interleave, LooksAtResultsOffTheClock) {
