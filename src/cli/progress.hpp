@@ -1,4 +1,4 @@
-// A progress line on stderr, on a terminal only, for work that takes longer than a second.
+// A progress bar on stderr, on a terminal only, for work that takes longer than a second.
 #pragma once
 
 #include <chrono>
@@ -6,6 +6,9 @@
 #include <string>
 
 namespace tessera::cli {
+
+/// "what [#######-------]  50 %", at most `columns` long; without the bar where there is no room for it.
+std::string progress_line(const std::string& what, double fraction, std::size_t columns);
 
 class Progress {
 public:
