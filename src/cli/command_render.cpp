@@ -114,7 +114,7 @@ image::Image draw(views::View& view, std::vector<views::Cell>& cells, const rend
     const image::Rgba grey{244, 245, 247, 255};  // the default background
     const image::Rgba paper = frame.background.a > 0.0f ? grey : image::Rgba{};
     image::Image picture = panels.size() == 1 ? std::move(panels.front().picture) : image::beside(panels, paper);
-    view.append_legend(picture, frame.width, paper);
+    view.append_legend(picture, {frame.width, frame.height}, paper);
     return picture;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace tessera::image {
 namespace {
@@ -27,7 +28,9 @@ Image beside(const std::vector<Panel>& panels, const Rgba& paper) {
                                                   "{}; make them smaller.",
                                                   panels.size(), first.width, width, max_side));
     }
-    const std::uint32_t scale = std::clamp(std::min(first.width, first.height) / 200, 1u, 16u);
+    std::vector<std::string> labels;
+    std::ranges::transform(panels, std::back_inserter(labels), &Panel::label);
+    const std::uint32_t scale = letter_scale(first.width, first.height, first.width * 15 / 16, labels);
     const std::uint32_t strip = 14 * scale;
     Image whole{static_cast<std::uint32_t>(width), std::min(first.height + strip, max_side), {}};
     whole.rgba.resize(std::size_t{whole.width} * whole.height * 4);

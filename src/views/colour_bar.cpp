@@ -9,11 +9,6 @@ namespace {
 
 constexpr image::Rgba ink{60, 62, 66, 255};
 
-/// Of a strip under pictures of this width; the letters of stb_easy_font are about 8 pixels high.
-std::int64_t letter_scale(std::uint32_t panel_width) {
-    return std::clamp(panel_width / 280, 1u, 16u);
-}
-
 /// Adds rows of `paper`; returns the first of them.
 std::int64_t append_strip(image::Image& picture, std::int64_t height, const image::Rgba& paper) {
     const std::int64_t top = picture.height;
@@ -59,11 +54,11 @@ std::string tick_text(double value, const Scale& scale) {
     return text == "-0" ? "0" : text;
 }
 
-void append_colour_bar(image::Image& picture, std::uint32_t panel_width, const Scale& scale, const std::string& title,
+void append_colour_bar(image::Image& picture, const PanelSize& panel, const Scale& scale, const std::string& title,
                        const image::Rgba& paper) {
-    const std::int64_t s = letter_scale(panel_width);
+    const std::uint32_t text = image::letter_scale(panel.width, panel.height, picture.width * 15 / 16, {title});
+    const std::int64_t s = text;
     const std::int64_t top = append_strip(picture, 38 * s, paper);
-    const auto text = static_cast<std::uint32_t>(s);
     const std::int64_t middle = picture.width / 2;
     image::draw_text(picture, middle - image::text_width(text, title) / 2, top + 4 * s, text, title, ink);
 
@@ -94,11 +89,14 @@ void append_colour_bar(image::Image& picture, std::uint32_t panel_width, const S
     }
 }
 
-void append_keys(image::Image& picture, std::uint32_t panel_width, const std::vector<Key>& keys,
+void append_keys(image::Image& picture, const PanelSize& panel, const std::vector<Key>& keys,
                  const image::Rgba& paper) {
-    const std::int64_t s = letter_scale(panel_width);
+    std::string all;
+    for (const Key& key : keys)
+        all += "------" + key.words;
+    const std::uint32_t text = image::letter_scale(panel.width, panel.height, picture.width * 15 / 16, {all});
+    const std::int64_t s = text;
     const std::int64_t top = append_strip(picture, 14 * s, paper);
-    const auto text = static_cast<std::uint32_t>(s);
     constexpr std::int64_t line = 16, gap = 5, apart = 18;
     std::int64_t width = -apart * s;
     for (const Key& key : keys)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "views/colour_map.hpp"
+#include "views/view.hpp"
 
 #include <string>
 #include <vector>
@@ -16,9 +17,9 @@ std::vector<double> bar_ticks(const Scale& scale, int wanted);
 std::string tick_text(double value, const Scale& scale);
 
 /// Appends a strip of `paper` under the picture, with a bar of the colour map, its ticks and its title in the middle.
-/// Of the ticks' numbers those that would touch another are left out, the ends' last. `panel_width` is the width of one
-/// of the pictures side by side, which the size of the letters follows.
-void append_colour_bar(image::Image& picture, std::uint32_t panel_width, const Scale& scale, const std::string& title,
+/// Letters are as large as those of labels under pictures of the size `panel`, or smaller where the title would not fit
+/// the whole picture. Of the ticks' numbers those that would touch another are left out, the ends' never.
+void append_colour_bar(image::Image& picture, const PanelSize& panel, const Scale& scale, const std::string& title,
                        const image::Rgba& paper);
 
 /// What a line of a picture stands for.
@@ -28,7 +29,6 @@ struct Key {
 };
 
 /// Appends a strip of `paper` with keys side by side.
-void append_keys(image::Image& picture, std::uint32_t panel_width, const std::vector<Key>& keys,
-                 const image::Rgba& paper);
+void append_keys(image::Image& picture, const PanelSize& panel, const std::vector<Key>& keys, const image::Rgba& paper);
 
 }  // namespace tessera::views

@@ -6,14 +6,14 @@
 namespace tessera::views {
 namespace {
 
-/// Whether the surface ends between b and c of four pixels in a row. What goes on with the slope of either side is the
-/// same surface; a pixel outside the picture or empty tells of no slope.
+/// Whether the surface ends between b and c of four pixels in a row. Where it bends there instead, its step is no
+/// larger than on the steeper side; a pixel outside the picture or empty tells of no slope.
 bool ends_between(float a, float b, float c, float d, float jump) {
     if ((b < 0.0f) != (c < 0.0f)) return true;
     if (b < 0.0f) return false;
-    const float from_left = a < 0.0f ? b : b + (b - a);
-    const float from_right = d < 0.0f ? c : c + (c - d);
-    return std::min(std::abs(c - from_left), std::abs(b - from_right)) > jump && std::abs(b - c) > jump;
+    const float left = a < 0.0f ? 0.0f : std::abs(b - a);
+    const float right = d < 0.0f ? 0.0f : std::abs(c - d);
+    return std::abs(b - c) > jump + std::max(left, right);
 }
 
 /// `under` with `share` of a colour over it.

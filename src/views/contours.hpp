@@ -12,8 +12,8 @@ struct BorderPoint {
 };
 
 /// The borders between neighbouring pixels where one surface ends before another or before nothing: one of both is
-/// empty, or their depths are further apart than `jump` allows after the slopes on either side have been taken into
-/// account. The picture's own edges are none.
+/// empty, or their depths are further apart by `jump` than those of the next pixels on either side. The picture's own
+/// edges are none.
 std::vector<BorderPoint> find_contours(const DepthPicture& picture, float jump);
 
 /// Draws lines `width` pixels wide, with smooth edges, into a picture that is 1 / `oversampling` times as large as that

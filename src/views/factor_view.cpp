@@ -113,15 +113,15 @@ public:
     image::Image draw(Cell& cell, const render::Frame& frame, render::Rasteriser& rasteriser, const Run& run) override {
         rasteriser.begin(frame);
         rasteriser.set_materials(palette_.materials, palette_.images);
-        Painter painter(rasteriser);
+        Painter painter(rasteriser, frame);
         FactorSink sink(painter, scale_, subject_, cell);
         run(*cell.tessellator, sink);
         painter.flush();
         return rasteriser.finish();
     }
 
-    void append_legend(image::Image& picture, std::uint32_t panel_width, const image::Rgba& paper) const override {
-        append_colour_bar(picture, panel_width, scale_, "tessellation factor", paper);
+    void append_legend(image::Image& picture, const PanelSize& panel, const image::Rgba& paper) const override {
+        append_colour_bar(picture, panel, scale_, "tessellation factor", paper);
     }
 
 private:

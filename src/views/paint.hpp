@@ -18,18 +18,27 @@ struct Palette {
 Palette make_palette(const std::vector<scene::Material>& materials);
 
 /// Gathers triangles and draws them in large pieces. flush() after the last.
+///
+/// A triangle whose colours run across it faster than pixels can show takes their mean all over: filters of textures
+/// would give it that of colours that it does not have.
 class Painter {
 public:
-    explicit Painter(render::Rasteriser& rasteriser) : rasteriser_(rasteriser) {}
+    /// The rasteriser has begun that frame.
+    Painter(render::Rasteriser& rasteriser, const render::Frame& frame);
 
-    /// Vertices bring their colours as texture coordinates. Indices count from the first of them.
+    /// Vertices bring their colours as texture coordinates (set_place). Indices count from the first of them.
     void add(std::uint32_t material, std::span<const Vertex> vertices, std::span<const std::uint32_t> indices);
     void flush();
 
 private:
+    void level_out(std::size_t first_index);
+
     render::Rasteriser& rasteriser_;
+    glm::mat4 to_clip_;
+    glm::vec2 half_size_;  // of the picture
     std::uint32_t material_ = 0;
     std::vector<Vertex> vertices_;
+    std::vector<glm::vec2> pixels_;  // where vertices are seen; not finite behind the viewer
     std::vector<std::uint32_t> indices_;
 };
 

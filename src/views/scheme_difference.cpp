@@ -115,15 +115,15 @@ public:
         const auto found = std::ranges::find(distances_, &cell, &Distances::first);
         rasteriser.begin(frame);
         rasteriser.set_materials(palette_.materials, palette_.images);
-        Painter painter(rasteriser);
+        Painter painter(rasteriser, frame);
         DifferenceSink sink(painter, scale_, unit_, found->second, subject_, cell);
         run(*cell.tessellator, sink);
         painter.flush();
         return rasteriser.finish();
     }
 
-    void append_legend(image::Image& picture, std::uint32_t panel_width, const image::Rgba& paper) const override {
-        append_colour_bar(picture, panel_width, scale_, fmt::format("distance to {}, % of the diagonal", name_), paper);
+    void append_legend(image::Image& picture, const PanelSize& panel, const image::Rgba& paper) const override {
+        append_colour_bar(picture, panel, scale_, fmt::format("distance to {}, % of the diagonal", name_), paper);
     }
 
 private:

@@ -10,7 +10,7 @@ namespace tessera::views {
 namespace {
 
 constexpr std::uint32_t largest_side = 8192;  // that rasterisers draw
-constexpr float jump = 0.015f;                // of the depth picture's range, which is 1.5 times that of the model
+constexpr float jump = 0.01f;                 // of the depth picture's range, which is 1.5 times that of the model
 
 TessellationOptions coarse_options(TessellationOptions options) {
     options.scheme = Scheme::linear;
@@ -58,8 +58,8 @@ public:
         return picture;
     }
 
-    void append_legend(image::Image& picture, std::uint32_t panel_width, const image::Rgba& paper) const override {
-        append_keys(picture, panel_width, {{refined_ink, "refined surface"}, {coarse_ink, "coarse mesh"}}, paper);
+    void append_legend(image::Image& picture, const PanelSize& panel, const image::Rgba& paper) const override {
+        append_keys(picture, panel, {{refined_ink, "refined surface"}, {coarse_ink, "coarse mesh"}}, paper);
     }
 
 private:

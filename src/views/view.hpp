@@ -32,6 +32,11 @@ struct Subject {
     const HairOptions& hair_options;
 };
 
+/// Of one of the pictures side by side, in pixels.
+struct PanelSize {
+    std::uint32_t width = 0, height = 0;
+};
+
 class View {
 public:
     virtual ~View() = default;
@@ -45,8 +50,8 @@ public:
     /// `frame` is complete, but for what the view itself changes. The rasteriser is idle before and after.
     virtual image::Image draw(Cell& cell, const render::Frame& frame, render::Rasteriser& rasteriser,
                               const Run& run) = 0;
-    /// Appends the legend to pictures that stand side by side, each `panel_width` pixels wide.
-    virtual void append_legend(image::Image&, std::uint32_t, const image::Rgba&) const {}
+    /// Appends the legend, on a strip of `paper`, to pictures of one size that stand side by side.
+    virtual void append_legend(image::Image& /*picture*/, const PanelSize&, const image::Rgba& /*paper*/) const {}
 };
 
 /// The frame's own shading, with the materials of the scene.
