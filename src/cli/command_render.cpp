@@ -7,7 +7,7 @@
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/look_options.hpp"
-#include "cli/picture_output.hpp"
+#include "cli/output_words.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_cells.hpp"
 #include "cli/view_options.hpp"
@@ -25,7 +25,8 @@ namespace tessera::cli {
 namespace {
 
 struct Words {
-    std::string input, output, device = "reference";
+    std::string input, device = "reference";
+    OutputWords output;
     JobWords job;
     LoadWords load;
     HairWords hair;
@@ -37,10 +38,6 @@ struct Words {
     std::uint32_t samples = 4;
     bool transparent = false;
     std::vector<std::string> compare;
-    std::uint32_t turntable = 0;  // frames, or 0 for one picture
-    std::uint32_t frames_per_second = 25;
-    bool apng = false;
-    std::string frames;
 };
 
 std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
@@ -59,34 +56,6 @@ std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
                 fmt::format("The size \"{}\" is not understood; write WIDTHxHEIGHT with both from 1 to "
                             "8192, such as 1024x768.",
                             words));
-}
-
-bool is_animation(const Words& words) {
-    return words.apng || std::filesystem::path(words.output).extension() == ".apng";
-}
-
-PictureOutput make_output(const Words& words) {
-    using Kind = PictureOutput::Kind;
-    const std::uint32_t frames = std::max(words.turntable, 1u);
-    if (words.output.empty() && words.frames.empty()) {
-        throw Error(ErrorKind::usage,
-                    "Nothing says where the picture goes; give -o FILE.png, or --turntable N with --frames FOLDER.");
-    }
-    if (!words.frames.empty() && words.turntable == 0) {
-        throw Error(ErrorKind::usage,
-                    "--frames writes the pictures of a turntable; say how many of them with --turntable N.");
-    }
-    Kind kind = words.turntable > 0 ? Kind::sequence : Kind::single;
-    if (is_animation(words)) kind = Kind::animation;
-    if (words.output.empty()) kind = Kind::none;
-    if (kind == Kind::sequence && !words.frames.empty()) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("{} and --frames {} are the same pictures twice; leave one out, or write an animation "
-                                "with -o NAME.apng.",
-                                words.output, words.frames));
-    }
-    return {words.output, kind, frames, words.frames_per_second,
-            words.frames.empty() ? "" : sequence_pattern(words.frames)};
 }
 
 /// Runs one after the other share a progress line.
@@ -171,7 +140,7 @@ int run(const Context& context, const Words& words) {
     apply(words.look, scene, patches.exponent, frame);
     const patches::HairSet hair = hair_to_show(context, words, scene);
     const HairOptions hair_options = resolve_hair(words.hair, Ribbons::camera, words.job.memory_budget);
-    PictureOutput output = make_output(words);
+    PictureOutput output = resolve_output(words.output);
     gpu::Device device = backends::open_device(words.device);
     const views::Subject subject{device, scene, patches, hair, hair_options};
     std::vector<views::Cell> cells = make_cells(words.job, words.compare, subject);
@@ -179,7 +148,7 @@ int run(const Context& context, const Words& words) {
 
     const auto view = make_view(words.look.view, words.view, subject);
 
-    const std::uint32_t frames = std::max(words.turntable, 1u);
+    const std::uint32_t frames = words.output.count();
     Progress progress("rendering", context.quiet);
     Steps steps(progress, view->runs_before(cells.size()) + cells.size() * (1 + view->runs_per_cell() * frames));
     const views::Run run = [&](SceneTessellator& tessellator, MeshSink& sink) { steps.run(tessellator, sink); };
@@ -187,8 +156,8 @@ int run(const Context& context, const Words& words) {
     // The surface swells out of its coarse mesh, so cameras are fitted to the output itself: one run to fit, one for
     // each frame. Memory stays within the budget either way.
     render::Survey survey(render::scaled(camera, patches.exponent),
-                          static_cast<float>(frame.width) / static_cast<float>(frame.height), words.turntable > 0,
-                          render::bounds_of(patches.control_vertices));
+                          static_cast<float>(frame.width) / static_cast<float>(frame.height),
+                          words.output.turntable > 0, render::bounds_of(patches.control_vertices));
     for (views::Cell& cell : cells)
         run(*cell.tessellator, survey);
     const bool facing = hair_options.ribbons == Ribbons::camera && words.hair.eye.empty();
@@ -201,6 +170,7 @@ int run(const Context& context, const Words& words) {
         output.add(draw(*view, cells, frame, *rasteriser, run));
     }
     const std::string written = output.finish();
+    progress.clear();
     for (const views::Cell& cell : cells) {
         say(context, fmt::format("{}: {}, {} patches -> {} triangles on {} ({})", written, cell.label,
                                  patches.patch_count() + hair.patches.size(),
@@ -218,9 +188,7 @@ void add_render_command(CLI::App& app, Context& context) {
     command->footer("Example: tessera render fox.glb -o fox.png --factor 8 --orbit 40,15 --size 1280x960");
     command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")
         ->required();
-    command->add_option("-o,--output", words->output,
-                        "The PNG to write; with --turntable turn.png stands for turn-000.png, turn-001.png, ..., "
-                        "frame%03d.png for frame000.png, ..., and an .apng is an animation");
+    add_output_options(*command, words->output);
     command
         ->add_option("--device", words->device,
                      "Where to tessellate and draw: reference, vulkan[:index or name] or "
@@ -247,15 +215,6 @@ void add_render_command(CLI::App& app, Context& context) {
                      "named: pn:linear,pn:quadratic")
         ->delimiter(',')
         ->expected(1, 16);
-    command->add_option("--turntable", words->turntable, "Write this many pictures, once around the model")
-        ->check(CLI::Range(1, 10000));
-    command->add_option("--frames", words->frames,
-                        "Write each picture of a turntable as FOLDER/0000.png, ..., or by a pattern as of -o, besides "
-                        "an .apng or without -o");
-    command->add_flag("--apng", words->apng, "Write one animated PNG, whatever its name");
-    command->add_option("--fps", words->frames_per_second, "Frames per second of an animated PNG")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
     add_hair_options(*command, words->hair, "camera");

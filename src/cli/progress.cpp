@@ -30,10 +30,9 @@ std::string progress_line(const std::string& what, double fraction, std::size_t 
 Progress::Progress(std::string what, bool quiet)
     : what_(std::move(what)), active_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
-    if (shown_) {
-        fmt::print(stderr, "\r\033[K");
-    }
+void Progress::clear() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+    shown_ = false;
 }
 
 void Progress::update(double fraction) {

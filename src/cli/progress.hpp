@@ -13,13 +13,14 @@ std::string progress_line(const std::string& what, double fraction, std::size_t 
 class Progress {
 public:
     Progress(std::string what, bool quiet);
-    /// Clears the line.
-    ~Progress();
+    ~Progress() { clear(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     /// `fraction` of the work is done, 0 to 1.
     void update(double fraction);
+    /// Clears the line, for other words on the terminal.
+    void clear();
     std::function<void(double)> callback() {
         return [this](double fraction) { update(fraction); };
     }
