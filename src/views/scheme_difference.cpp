@@ -13,6 +13,8 @@
 namespace tessera::views {
 namespace {
 
+constexpr double rounding = 1e-4;  // per cent: a millionth of the diagonal
+
 using Place = std::array<float, 3>;
 
 class PlaceSink final : public MeshSink {
@@ -108,7 +110,7 @@ public:
             for (const float distance : distances_.back().second)
                 scale_.greatest = std::max(scale_.greatest, double{distance} * unit_);
         }
-        if (!(scale_.greatest > scale_.least)) scale_.greatest = scale_.least + 1.0;
+        if (!fixed_ && scale_.greatest < rounding) scale_.greatest = 1.0;
     }
 
     image::Image draw(Cell& cell, const render::Frame& frame, render::Rasteriser& rasteriser, const Run& run) override {

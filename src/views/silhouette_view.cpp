@@ -10,7 +10,7 @@ namespace tessera::views {
 namespace {
 
 constexpr std::uint32_t largest_side = 8192;  // that rasterisers draw
-constexpr float jump = 0.01f;                 // of the depth picture's range, which is 1.5 times that of the model
+constexpr float jump = 0.003f;                // of the depth picture's range, which is 1.5 times that of the model
 
 TessellationOptions coarse_options(TessellationOptions options) {
     options.scheme = Scheme::linear;
