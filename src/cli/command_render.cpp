@@ -77,8 +77,11 @@ image::Image draw(views::View& view, std::vector<views::Cell>& cells, const rend
                   render::Rasteriser& rasteriser, const views::Run& run) {
     std::vector<image::Panel> panels;
     for (views::Cell& cell : cells) {
-        panels.push_back({view.draw(cell, frame, rasteriser, run),
-                          fmt::format("{}, {} triangles", cell.label, cell.tessellator->totals().index_count / 3)});
+        // Long labels take two lines.
+        const char* const gap = cell.label.find(',') == std::string::npos ? ", " : "\n";
+        panels.push_back(
+            {view.draw(cell, frame, rasteriser, run),
+             fmt::format("{}{}{} triangles", cell.label, gap, cell.tessellator->totals().index_count / 3)});
     }
     const image::Rgba grey{244, 245, 247, 255};  // the default background
     const image::Rgba paper = frame.background.a > 0.0f ? grey : image::Rgba{};

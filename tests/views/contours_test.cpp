@@ -35,9 +35,9 @@ TEST(Contours, AreStepsOfDepthButNotSlopesOrRidges) {
     };
     EXPECT_EQ(count([](auto x) { return x < 10 ? 0.3f : 0.4f; }), 1u);
     EXPECT_EQ(count([](auto x) { return x < 10 ? 0.3f : 0.34f; }), 0u) << "a small step";
-    EXPECT_EQ(count([](auto x) { return 0.04f * static_cast<float>(x); }), 0u);
-    EXPECT_EQ(count([](auto x) { return 0.045f * static_cast<float>(x < 10 ? x : 20 - x); }), 0u) << "a ridge";
-    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.7f : 0.3f + 0.04f * static_cast<float>(x); }), 0u) << "a crease";
+    EXPECT_EQ(count([](auto x) { return 0.09f * static_cast<float>(x); }), 0u) << "a slope";
+    EXPECT_EQ(count([](auto x) { return 0.09f * static_cast<float>(x < 10 ? x : 20 - x); }), 0u) << "a ridge";
+    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.9f : 0.1f + 0.08f * static_cast<float>(x); }), 0u) << "a crease";
     EXPECT_EQ(count([](auto x) { return (x < 10 ? 0.01f : 0.2f) + 0.02f * static_cast<float>(x); }), 1u)
         << "a step on a slope";
 }
