@@ -75,13 +75,14 @@ private:
 /// All cells under one camera, side by side if there are several, over the view's legend.
 image::Image draw(views::View& view, std::vector<views::Cell>& cells, const render::Frame& frame,
                   render::Rasteriser& rasteriser, const views::Run& run) {
+    // Where a label is long, all take two lines.
+    const bool long_labels =
+        std::ranges::any_of(cells, [](const views::Cell& cell) { return cell.label.find(',') != std::string::npos; });
     std::vector<image::Panel> panels;
     for (views::Cell& cell : cells) {
-        // Long labels take two lines.
-        const char* const gap = cell.label.find(',') == std::string::npos ? ", " : "\n";
-        panels.push_back(
-            {view.draw(cell, frame, rasteriser, run),
-             fmt::format("{}{}{} triangles", cell.label, gap, cell.tessellator->totals().index_count / 3)});
+        panels.push_back({view.draw(cell, frame, rasteriser, run),
+                          fmt::format("{}{}{} triangles", cell.label, long_labels ? "\n" : ", ",
+                                      cell.tessellator->totals().index_count / 3)});
     }
     const image::Rgba grey{244, 245, 247, 255};  // the default background
     const image::Rgba paper = frame.background.a > 0.0f ? grey : image::Rgba{};
