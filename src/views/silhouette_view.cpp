@@ -49,9 +49,10 @@ public:
         large.width *= times;
         large.height *= times;
         const float width = std::max(1.6f, static_cast<float>(std::min(frame.width, frame.height)) / 420.0f);
+        const std::size_t least = std::min(large.width, large.height) / 50;
         const auto add = [&](SceneTessellator& tessellator, const image::Rgba& colour) {
             const DepthPicture depths = draw_depths(tessellator, subject_.scene.materials, large, *contours_, run);
-            draw_contours(picture, find_contours(depths, jump), times, width, colour);
+            draw_contours(picture, long_contours(find_contours(depths, jump), least), times, width, colour);
         };
         add(*coarse_, coarse_ink);
         add(*cell.tessellator, refined_ink);

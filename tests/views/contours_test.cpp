@@ -2,6 +2,7 @@
 #include "views/contours.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <functional>
 
 namespace tessera::views {
@@ -31,15 +32,32 @@ TEST(Contours, GoAroundWhatIsThere) {
 
 TEST(Contours, AreStepsOfDepthButNotSlopesOrRidges) {
     const auto count = [](const std::function<float(std::uint32_t)>& depth) {
-        return find_contours(picture(20, 1, [&](auto x, auto) { return depth(x); }), 0.05f).size();
+        const auto found = find_contours(picture(20, 1, [&](auto x, auto) { return depth(x); }), 0.05f);
+        return std::ranges::count_if(found, &BorderPoint::clear);
     };
-    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.3f : 0.4f; }), 1u);
-    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.3f : 0.34f; }), 0u) << "a small step";
-    EXPECT_EQ(count([](auto x) { return 0.09f * static_cast<float>(x); }), 0u) << "a slope";
-    EXPECT_EQ(count([](auto x) { return 0.09f * static_cast<float>(x < 10 ? x : 20 - x); }), 0u) << "a ridge";
-    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.9f : 0.1f + 0.08f * static_cast<float>(x); }), 0u) << "a crease";
-    EXPECT_EQ(count([](auto x) { return (x < 10 ? 0.01f : 0.2f) + 0.02f * static_cast<float>(x); }), 1u)
+    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.3f : 0.4f; }), 1);
+    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.3f : 0.34f; }), 0) << "a small step";
+    EXPECT_EQ(count([](auto x) { return 0.09f * static_cast<float>(x); }), 0) << "a slope";
+    EXPECT_EQ(count([](auto x) { return 0.09f * static_cast<float>(x < 10 ? x : 20 - x); }), 0) << "a ridge";
+    EXPECT_EQ(count([](auto x) { return x < 10 ? 0.9f : 0.1f + 0.08f * static_cast<float>(x); }), 0) << "a crease";
+    EXPECT_EQ(count([](auto x) { return (x < 10 ? 0.01f : 0.2f) + 0.02f * static_cast<float>(x); }), 1)
         << "a step on a slope";
+}
+
+TEST(Contours, ThatAreShortOrUnclearAreLeftOut) {
+    std::vector<BorderPoint> points;
+    for (std::int32_t x = 0; x < 20; ++x)
+        points.push_back({2 * x + 1, 10, x < 12});  // 12 clear ones, and 8 that go on from them
+    for (std::int32_t x = 0; x < 30; ++x)
+        points.push_back({2 * x + 1, 50, x % 7 == 0});  // long, but hardly any of it is clear
+    for (std::int32_t x = 0; x < 9; ++x)
+        points.push_back({2 * x + 1, 90});  // clear, but short
+    const std::vector<BorderPoint> kept = long_contours(points, 10);
+    EXPECT_EQ(kept.size(), 20u);
+    for (const BorderPoint& p : kept)
+        EXPECT_EQ(p.y2, 10);
+    EXPECT_EQ(long_contours(points, 9).size(), 29u);
+    EXPECT_TRUE(long_contours({}, 1).empty());
 }
 
 TEST(Contours, AreDrawnAsWideAsAsked) {
