@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tessera::views {
 namespace {
@@ -16,6 +17,14 @@ std::int64_t append_strip(image::Image& picture, std::int64_t height, const imag
     picture.rgba.resize(std::size_t{picture.width} * picture.height * 4);
     image::fill_rectangle(picture, 0, top, picture.width, picture.height, paper);
     return top;
+}
+
+/// The title, in two lines at its comma where one is too wide for letters of the usual size.
+std::vector<std::string> title_lines(const std::string& title, const PanelSize& panel, std::uint32_t room) {
+    const std::size_t comma = title.find(", ");
+    const std::uint32_t usual = image::letter_scale(panel.width, panel.height, 0, {});
+    if (comma == std::string::npos || image::text_width(usual, title) <= room) return {title};
+    return {title.substr(0, comma + 1), title.substr(comma + 2)};
 }
 
 double tick_step(const Scale& scale, int wanted) {
@@ -45,7 +54,8 @@ std::string tick_text(double value, const Scale& scale) {
     const double length = scale.greatest - scale.least;
     if (!(length > 0.0)) return fmt::format("{:.4g}", value);
     // Three digits of the scale's length.
-    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(length))), 0, 12);
+    const int decimals = std::max(2 - static_cast<int>(std::floor(std::log10(length))), 0);
+    if (decimals > 6) return fmt::format("{:.3g}", value);
     std::string text = fmt::format("{:.{}f}", value, decimals);
     if (text.find('.') != std::string::npos) {
         text.erase(text.find_last_not_of('0') + 1);
@@ -56,11 +66,17 @@ std::string tick_text(double value, const Scale& scale) {
 
 void append_colour_bar(image::Image& picture, const PanelSize& panel, const Scale& scale, const std::string& title,
                        const image::Rgba& paper) {
-    const std::uint32_t text = image::letter_scale(panel.width, panel.height, picture.width * 15 / 16, {title});
+    const std::uint32_t room = picture.width * 15 / 16;
+    const std::vector<std::string> lines = title_lines(title, panel, room);
+    const std::uint32_t text = image::letter_scale(panel.width, panel.height, room, lines);
     const std::int64_t s = text;
-    const std::int64_t top = append_strip(picture, 38 * s, paper);
+    const std::int64_t more = 10 * s * (std::ssize(lines) - 1);
+    const std::int64_t first = append_strip(picture, 38 * s + more, paper), top = first + more;
     const std::int64_t middle = picture.width / 2;
-    image::draw_text(picture, middle - image::text_width(text, title) / 2, top + 4 * s, text, title, ink);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        image::draw_text(picture, middle - image::text_width(text, lines[i]) / 2,
+                         first + (4 + 10 * static_cast<std::int64_t>(i)) * s, text, lines[i], ink);
+    }
 
     const std::int64_t width = std::min<std::int64_t>(240 * s, std::int64_t{picture.width} * 8 / 10);
     const std::int64_t left = middle - width / 2, bar = top + 14 * s, under = bar + 8 * s;
@@ -91,22 +107,29 @@ void append_colour_bar(image::Image& picture, const PanelSize& panel, const Scal
 
 void append_keys(image::Image& picture, const PanelSize& panel, const std::vector<Key>& keys,
                  const image::Rgba& paper) {
-    std::string all;
-    for (const Key& key : keys)
-        all += "------" + key.words;
-    const std::uint32_t text = image::letter_scale(panel.width, panel.height, picture.width * 15 / 16, {all});
+    constexpr std::uint32_t line = 16, gap = 5, apart = 18;
+    const auto width_of = [&](const Key& key, std::uint32_t scale) {
+        return (line + gap) * scale + image::text_width(scale, key.words);
+    };
+    const auto width_of_all = [&](std::uint32_t scale) {
+        std::uint32_t width = apart * scale * static_cast<std::uint32_t>(keys.size() - 1);
+        for (const Key& key : keys)
+            width += width_of(key, scale);
+        return width;
+    };
+    std::uint32_t text = image::letter_scale(panel.width, panel.height, 0, {});
+    while (text > 1 && width_of_all(text) > picture.width)
+        --text;
+    const bool beneath = width_of_all(text) > picture.width;  // each other
     const std::int64_t s = text;
-    const std::int64_t top = append_strip(picture, 14 * s, paper);
-    constexpr std::int64_t line = 16, gap = 5, apart = 18;
-    std::int64_t width = -apart * s;
-    for (const Key& key : keys)
-        width += (line + gap + apart) * s + image::text_width(text, key.words);
-    std::int64_t x = (std::int64_t{picture.width} - width) / 2;
+    std::int64_t y = append_strip(picture, (4 + 10 * (beneath ? std::ssize(keys) : 1)) * s, paper) + 4 * s;
+    std::int64_t x = (std::int64_t{picture.width} - width_of_all(text)) / 2;
     for (const Key& key : keys) {
-        image::fill_rectangle(picture, x, top + 6 * s, x + line * s, top + 8 * s, key.colour);
-        x += (line + gap) * s;
-        image::draw_text(picture, x, top + 4 * s, text, key.words, ink);
-        x += image::text_width(text, key.words) + apart * s;
+        if (beneath) x = (std::int64_t{picture.width} - width_of(key, text)) / 2;
+        image::fill_rectangle(picture, x, y + 2 * s, x + line * s, y + 4 * s, key.colour);
+        image::draw_text(picture, x + (line + gap) * s, y, text, key.words, ink);
+        x += width_of(key, text) + apart * s;
+        y += beneath ? 10 * s : 0;
     }
 }
 

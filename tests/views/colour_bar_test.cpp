@@ -47,6 +47,7 @@ TEST(ColourBar, NumbersHaveThreeDigitsOfTheScale) {
     EXPECT_EQ(tick_text(0.0123456, {0.0, 0.0123456}), "0.0123");
     EXPECT_EQ(tick_text(1200.0, {0.0, 1234.5}), "1200");
     EXPECT_EQ(tick_text(4.0, {4.0, 4.0}), "4");
+    EXPECT_EQ(tick_text(2.5e-9, {0.0, 5e-9}), "2.5e-09");
 }
 
 TEST(ColourBar, ShowsTheMapUnderThePicture) {
@@ -65,6 +66,35 @@ TEST(ColourBar, ShowsTheMapUnderThePicture) {
     EXPECT_LE(test::apart(test::pixel(picture, 81, row), map_colour(0.0)), 6);
     EXPECT_LE(test::apart(test::pixel(picture, 318, row), map_colour(1.0)), 6);
     EXPECT_EQ(test::pixel(picture, 70, row), paper);
+}
+
+/// Columns of a picture, under its first `top` rows, that are not paper.
+std::pair<std::uint32_t, std::uint32_t> inked_columns(const image::Image& picture, std::uint32_t top) {
+    std::uint32_t first = picture.width, last = 0;
+    for (std::uint32_t y = top; y < picture.height; ++y) {
+        for (std::uint32_t x = 0; x < picture.width; ++x) {
+            if (test::pixel(picture, x, y) == image::Rgba{255, 255, 255, 255}) continue;
+            first = std::min(first, x);
+            last = std::max(last, x);
+        }
+    }
+    return {first, last};
+}
+
+TEST(ColourBar, LegendsFitNarrowPictures) {
+    const image::Rgba paper{255, 255, 255, 255};
+    for (const std::uint32_t width : {140u, 200u, 460u}) {
+        const image::Image blank{width, 300, std::vector<std::uint8_t>(std::size_t{width} * 300 * 4, 255)};
+        image::Image bar = blank, keys = blank;
+        append_colour_bar(bar, {width, 300}, {0.0, 1.0}, "distance to linear, % of the diagonal", paper);
+        append_keys(keys, {width, 300}, {{{1, 2, 3, 255}, "refined surface"}, {{4, 5, 6, 255}, "coarse mesh"}}, paper);
+        for (const image::Image& made : {bar, keys}) {
+            const auto [first, last] = inked_columns(made, 300);
+            EXPECT_GT(first, 0u) << width;
+            EXPECT_LT(last, width - 1) << width;
+            EXPECT_NEAR(first, width - 1 - last, 0.1 * width) << "in the middle of " << width;
+        }
+    }
 }
 
 TEST(ColourBar, KeysHaveTheirColours) {
