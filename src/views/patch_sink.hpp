@@ -40,7 +40,7 @@ struct PatchOutput {
 /// One run's worth: takes the output of a SceneTessellator from its first batch to its last.
 class PatchSink : public MeshSink {
 public:
-    /// All must outlive the sink. `hair` may be empty.
+    /// `options` and `totals` are those of the tessellator. All must outlive the sink.
     PatchSink(const patches::PatchSet& patches, const TessellationOptions& options, const MeshTotals& totals);
 
     void append(const MeshBatch& batch) final;

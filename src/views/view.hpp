@@ -41,8 +41,8 @@ class View {
 public:
     virtual ~View() = default;
 
-    /// How many runs prepare() and, for each picture, draw() take.
-    virtual std::size_t runs_before(std::size_t) const { return 0; }
+    /// How many runs prepare() takes for that many cells, and draw() for one.
+    virtual std::size_t runs_before(std::size_t /*cells*/) const { return 0; }
     virtual std::size_t runs_per_cell() const { return 1; }
 
     /// Before the first picture: finds what all pictures share, such as a scale.
