@@ -19,6 +19,7 @@ patches:            base kernels scene
 tessellate:         base kernels gpu patches
 export:             base scene tessellate
 render:             base image scene tessellate
+views:              base kernels gpu image patches scene tessellate render
 raster:             base kernels gpu image scene tessellate render
 measure:            base gpu image patches scene tessellate render
 verify:             base gpu patches tessellate
@@ -30,7 +31,7 @@ backends/vulkan:    base kernels gpu image scene tessellate render verify bench 
 registry.cpp:       base gpu render verify bench backends backends/reference backends/opencl backends/vulkan
 peers:
 tessera.hpp:        base gpu image compare scene patches tessellate export render raster verify backends
-cli:                base gpu image compare scene patches tessellate export render raster verify bench backends peers
+cli:                base gpu image compare scene patches tessellate export render views raster verify bench backends peers
 "
 
 # <header>, by its first folder or name: the rooms that may include it.

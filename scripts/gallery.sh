@@ -18,7 +18,7 @@ panel() { # NAME MODEL OPTIONS...
 beside() { # OUTPUT PANEL...
     output=$1
     shift
-    convert "$@" +append -define png:compression-level=9 "PNG24:docs/gallery/$output"
+    convert "$@" +append -strip -define png:compression-level=9 "PNG24:docs/gallery/$output"
 }
 
 rabbit="assets/rabbit.glb --camera -38,14 --size 420x600"
@@ -58,6 +58,28 @@ panel wires_over assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 3 --vi
 panel far assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 8 --view depth
 panel coordinates assets/rabbit.glb --orbit=-38,14 --size 310x460 --factor 8 --view uv
 beside views.png "$panels/literature.png" "$panels/wires_over.png" "$panels/far.png" "$panels/coordinates.png"
+
+# A second picture of Spot needs its texture, which the file does not name.
+cp "$models/spot/spot_texture.png" "$panels/"
+printf 'newmtl spot\nmap_Kd spot_texture.png\n' >"$panels/spot.mtl"
+{ printf 'mtllib spot.mtl\nusemtl spot\n' && cat "$models/spot/spot_control_mesh.obj"; } >"$panels/spot.obj"
+textured="--size 420x460 --shading pbr --tonemap aces"
+panel spot_coarse "$panels/spot.obj" $textured --orbit 150,10 --scheme linear --factor 1
+panel spot_smooth "$panels/spot.obj" $textured --orbit 150,10 --factor 8
+panel suzanne_pbr "$models/SuzanneBlender/02_suzanne.gltf" $textured --orbit 25,10 --factor 4
+beside textured.png "$panels/spot_coarse.png" "$panels/spot_smooth.png" "$panels/suzanne_pbr.png"
+
+panel literature4 assets/figure.glb --size 420x460 --factor 12 --preset van-veen \
+    --compare linear:true,phong,pn:linear,pn:quadratic
+beside literature.png "$panels/literature4.png"
+factors="--size 460x520 --view factors --factor random:1..9 --range 1..9"
+panel factors_triangles assets/rabbit.glb $factors --orbit=-38,14
+panel factors_quads "$models/spot/spot_control_mesh.obj" $factors --orbit 150,10
+beside factors.png "$panels/factors_triangles.png" "$panels/factors_quads.png"
+panel difference assets/figure.glb --size 460x460 --factor 12 --view scheme-difference --compare phong,pn
+beside difference.png "$panels/difference.png"
+panel silhouette "$models/Fox/Fox.glb" --orbit=-40,12 --size 500x420 --factor 12 --view silhouette --compare phong,pn
+beside silhouette.png "$panels/silhouette.png"
 
 "$tessera" --quiet render assets/figure.glb -o "$panels/compare.png" --compare linear,phong,pn --size 420x460 --factor 8
 beside compare.png "$panels/compare.png"

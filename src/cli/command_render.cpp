@@ -7,13 +7,13 @@
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
 #include "cli/look_options.hpp"
-#include "cli/picture_output.hpp"
+#include "cli/output_words.hpp"
 #include "cli/progress.hpp"
+#include "cli/render_cells.hpp"
+#include "cli/view_options.hpp"
 #include "image/panels.hpp"
 #include "raster/portable_rasteriser.hpp"
-#include "render/mesh_sinks.hpp"
 #include "render/survey.hpp"
-#include "tessellate/scene_tessellator.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -25,20 +25,19 @@ namespace tessera::cli {
 namespace {
 
 struct Words {
-    std::string input, output, device = "reference";
+    std::string input, device = "reference";
+    OutputWords output;
     JobWords job;
     LoadWords load;
     HairWords hair;
     std::string size = "1024x1024";
     CameraWords camera;
     LookWords look;
+    ViewWords view;
     std::string raster = "auto";
     std::uint32_t samples = 4;
     bool transparent = false;
     std::vector<std::string> compare;
-    std::uint32_t turntable = 0;  // frames, or 0 for one picture
-    std::uint32_t frames_per_second = 25;
-    bool apng = false;
 };
 
 std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
@@ -59,37 +58,6 @@ std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& words) {
                             words));
 }
 
-/// A part of the picture, with a surface of its own.
-struct Cell {
-    std::string scheme;
-    std::unique_ptr<SceneTessellator> tessellator;
-};
-
-std::vector<Cell> make_cells(const Words& words, const gpu::Device& device, const patches::PatchSet& patches,
-                             const patches::HairSet& hair, const HairOptions& hair_options) {
-    std::vector<std::string> schemes = words.compare;
-    if (schemes.empty()) schemes.push_back(words.job.scheme);
-    std::vector<Cell> cells;
-    for (const std::string& scheme : schemes) {
-        JobWords job = words.job;
-        job.scheme = scheme;
-        cells.push_back(
-            {scheme, std::make_unique<SceneTessellator>(device, patches, resolve(job, patches), hair, hair_options)});
-    }
-    return cells;
-}
-
-bool is_animation(const Words& words) {
-    return words.apng || std::filesystem::path(words.output).extension() == ".apng";
-}
-
-PictureOutput make_output(const Words& words) {
-    using Kind = PictureOutput::Kind;
-    const std::uint32_t frames = std::max(words.turntable, 1u);
-    const Kind kind = is_animation(words) ? Kind::animation : words.turntable > 0 ? Kind::sequence : Kind::single;
-    return {words.output, kind, frames, words.frames_per_second};
-}
-
 /// Runs one after the other share a progress line.
 class Steps {
 public:
@@ -104,21 +72,23 @@ private:
     double count_, done_ = 0.0;
 };
 
-/// All cells under one camera, side by side if there are several.
-image::Image draw(std::vector<Cell>& cells, const render::Frame& frame, const scene::Scene& scene,
-                  render::Rasteriser& rasteriser, Steps& steps) {
+/// All cells under one camera, side by side if there are several, over the view's legend.
+image::Image draw(views::View& view, std::vector<views::Cell>& cells, const render::Frame& frame,
+                  render::Rasteriser& rasteriser, const views::Run& run) {
+    // Where a label is long, all take two lines.
+    const bool long_labels =
+        std::ranges::any_of(cells, [](const views::Cell& cell) { return cell.label.find(',') != std::string::npos; });
     std::vector<image::Panel> panels;
-    for (Cell& cell : cells) {
-        const MeshTotals& totals = cell.tessellator->totals();
-        rasteriser.begin(frame);
-        rasteriser.set_materials(scene.materials, scene.images);
-        render::DrawSink sink(rasteriser, totals.parts);
-        steps.run(*cell.tessellator, sink);
-        panels.push_back({rasteriser.finish(), fmt::format("{}, {} triangles", cell.scheme, totals.index_count / 3)});
+    for (views::Cell& cell : cells) {
+        panels.push_back({view.draw(cell, frame, rasteriser, run),
+                          fmt::format("{}{}{} triangles", cell.label, long_labels ? "\n" : ", ",
+                                      cell.tessellator->totals().index_count / 3)});
     }
-    if (panels.size() == 1) return std::move(panels.front().picture);
     const image::Rgba grey{244, 245, 247, 255};  // the default background
-    return image::beside(panels, frame.background.a > 0.0f ? grey : image::Rgba{});
+    const image::Rgba paper = frame.background.a > 0.0f ? grey : image::Rgba{};
+    image::Image picture = panels.size() == 1 ? std::move(panels.front().picture) : image::beside(panels, paper);
+    view.append_legend(picture, {frame.width, frame.height}, paper);
+    return picture;
 }
 
 /// The device's own rasteriser where it has one that can draw the frame, the portable one elsewhere, unless told.
@@ -145,7 +115,19 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, co
     return raster::open_portable(device);
 }
 
+patches::HairSet hair_to_show(const Context& context, const Words& words, const scene::Scene& scene) {
+    if (!leaves_hair_out(words.look.view) || scene.guides.empty()) return patches::make_hair(scene, words.hair.width);
+    if (scene.meshes.empty()) {
+        throw Error(ErrorKind::usage, fmt::format("{} is hair alone, and --view {} shows surfaces only; choose another "
+                                                  "view.",
+                                                  words.input, words.look.view));
+    }
+    say(context, fmt::format("--view {} leaves the hair out.", words.look.view));
+    return {};
+}
+
 int run(const Context& context, const Words& words) {
+    check(words.view, words.look.view);
     render::Frame frame;
     std::tie(frame.width, frame.height) = parse_size(words.size);
     frame.samples = words.samples;
@@ -160,35 +142,41 @@ int run(const Context& context, const Words& words) {
     });
     const patches::PatchSet patches = surface_patches(scene);
     apply(words.look, scene, patches.exponent, frame);
-    const patches::HairSet hair = patches::make_hair(scene, words.hair.width);
+    const patches::HairSet hair = hair_to_show(context, words, scene);
     const HairOptions hair_options = resolve_hair(words.hair, Ribbons::camera, words.job.memory_budget);
-    PictureOutput output = make_output(words);
+    PictureOutput output = resolve_output(words.output);
     gpu::Device device = backends::open_device(words.device);
-    std::vector<Cell> cells = make_cells(words, device, patches, hair, hair_options);
+    const views::Subject subject{device, scene, patches, hair, hair_options};
+    std::vector<views::Cell> cells = make_cells(words.job, words.compare, subject);
     const auto rasteriser = open_rasteriser(words.raster, device, frame, context);
 
-    const std::uint32_t frames = std::max(words.turntable, 1u);
+    const auto view = make_view(words.look.view, words.view, subject);
+
+    const std::uint32_t frames = words.output.count();
     Progress progress("rendering", context.quiet);
-    Steps steps(progress, cells.size() * (1 + std::size_t{frames}));
+    Steps steps(progress, view->runs_before(cells.size()) + cells.size() * (1 + view->runs_per_cell() * frames));
+    const views::Run run = [&](SceneTessellator& tessellator, MeshSink& sink) { steps.run(tessellator, sink); };
+    view->prepare(cells, run);
     // The surface swells out of its coarse mesh, so cameras are fitted to the output itself: one run to fit, one for
     // each frame. Memory stays within the budget either way.
     render::Survey survey(render::scaled(camera, patches.exponent),
-                          static_cast<float>(frame.width) / static_cast<float>(frame.height), words.turntable > 0,
-                          render::bounds_of(patches.control_vertices));
-    for (Cell& cell : cells)
-        steps.run(*cell.tessellator, survey);
+                          static_cast<float>(frame.width) / static_cast<float>(frame.height),
+                          words.output.turntable > 0, render::bounds_of(patches.control_vertices));
+    for (views::Cell& cell : cells)
+        run(*cell.tessellator, survey);
     const bool facing = hair_options.ribbons == Ribbons::camera && words.hair.eye.empty();
     for (std::uint32_t i = 0; i < frames; ++i) {
         frame.camera = survey.camera(2.0 * std::numbers::pi * i / frames);
         set_depth_range(render::bounds_of(patches.control_vertices), frame);
-        for (Cell& cell : cells) {
+        for (views::Cell& cell : cells) {
             if (facing) cell.tessellator->face(frame.camera.eye);
         }
-        output.add(draw(cells, frame, scene, *rasteriser, steps));
+        output.add(draw(*view, cells, frame, *rasteriser, run));
     }
     const std::string written = output.finish();
-    for (const Cell& cell : cells) {
-        say(context, fmt::format("{}: {}, {} patches -> {} triangles on {} ({})", written, cell.scheme,
+    progress.clear();
+    for (const views::Cell& cell : cells) {
+        say(context, fmt::format("{}: {}, {} patches -> {} triangles on {} ({})", written, cell.label,
                                  patches.patch_count() + hair.patches.size(),
                                  cell.tessellator->totals().index_count / 3, device.info().id, device.info().name));
     }
@@ -204,11 +192,7 @@ void add_render_command(CLI::App& app, Context& context) {
     command->footer("Example: tessera render fox.glb -o fox.png --factor 8 --orbit 40,15 --size 1280x960");
     command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")
         ->required();
-    command
-        ->add_option("-o,--output", words->output,
-                     "The PNG to write; with --turntable turn.png stands for turn-000.png, turn-001.png, ..., "
-                     "frame%03d.png for frame000.png, ..., and an .apng is an animation")
-        ->required();
+    add_output_options(*command, words->output);
     command
         ->add_option("--device", words->device,
                      "Where to tessellate and draw: reference, vulkan[:index or name] or "
@@ -218,6 +202,7 @@ void add_render_command(CLI::App& app, Context& context) {
         ->capture_default_str();
     add_camera_options(*command, words->camera);
     add_look_options(*command, words->look);
+    add_view_options(*command, words->view);
     command
         ->add_option("--raster", words->raster,
                      "What draws: device (the GPU's own rasteriser), portable (kernels, the same bits on every device) "
@@ -228,15 +213,12 @@ void add_render_command(CLI::App& app, Context& context) {
         ->check(CLI::IsMember({1, 4}))
         ->capture_default_str();
     command->add_flag("--transparent", words->transparent, "Leave the background transparent");
-    command->add_option("--compare", words->compare, "Schemes side by side under one camera: linear,phong,pn")
+    command
+        ->add_option("--compare", words->compare,
+                     "Schemes side by side under one camera: linear,phong,pn, each with normals of its own if they are "
+                     "named: pn:linear,pn:quadratic")
         ->delimiter(',')
         ->expected(1, 16);
-    command->add_option("--turntable", words->turntable, "Write this many pictures, once around the model")
-        ->check(CLI::Range(1, 10000));
-    command->add_flag("--apng", words->apng, "Write one animated PNG, whatever its name");
-    command->add_option("--fps", words->frames_per_second, "Frames per second of an animated PNG")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
     add_hair_options(*command, words->hair, "camera");

@@ -1,6 +1,7 @@
 #include "cli/look_options.hpp"
 
 #include "base/error.hpp"
+#include "views/paint.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -33,6 +34,26 @@ void use_van_veen_preset(render::Frame& frame) {
     frame.shading = render::Shading::reflection;
 }
 
+void show(const std::string& view, render::Frame& frame) {
+    if (view == "shaded") return;
+    if (view == "wireframe") {
+        frame.wires = true;
+    } else if (view == "normals") {
+        frame.shading = render::Shading::normals;
+    } else if (view == "depth") {
+        frame.shading = render::Shading::depth;
+    } else if (view == "uv") {
+        frame.shading = render::Shading::uv;
+    } else if (view == "factors" || view == "scheme-difference" || view == "silhouette") {
+        views::light_for_colours(frame);
+    } else {
+        throw Error(ErrorKind::usage,
+                    fmt::format("There is no view named \"{}\"; choose shaded, normals, wireframe, depth, uv, factors, "
+                                "scheme-difference or silhouette.",
+                                view));
+    }
+}
+
 scene::Light to_kernel_space(scene::Light light, int exponent) {
     const float down = std::ldexp(1.0f, -exponent);
     if (light.kind != scene::Light::Kind::directional) {
@@ -48,9 +69,10 @@ scene::Light to_kernel_space(scene::Light light, int exponent) {
 void add_look_options(CLI::App& command, LookWords& words) {
     command
         .add_option("--view", words.view,
-                    "What is shown: shaded, normals, wireframe (edges over the shading), depth (white is near) or uv "
-                    "(texture coordinates as red and green)")
-        ->check(CLI::IsMember({"shaded", "normals", "wireframe", "depth", "uv"}))
+                    "What is shown: shaded, normals, wireframe (edges over the shading), depth (white is near), uv "
+                    "(texture coordinates as red and green), factors (as colours), scheme-difference (the distance to "
+                    "the surface of another scheme, see --against) or silhouette (outlines of the surface and of its "
+                    "coarse mesh)")
         ->capture_default_str();
     command
         .add_option("--shading", words.shading,
@@ -87,10 +109,7 @@ void apply(const LookWords& words, const scene::Scene& scene, int exponent, rend
         }
         use_van_veen_preset(frame);
     }
-    if (words.view == "wireframe") frame.wires = true;
-    if (words.view == "normals") frame.shading = render::Shading::normals;
-    if (words.view == "depth") frame.shading = render::Shading::depth;
-    if (words.view == "uv") frame.shading = render::Shading::uv;
+    show(words.view, frame);
     frame.tone_curve = words.tonemap == "aces" ? render::ToneCurve::aces : render::ToneCurve::none;
     frame.exposure = std::exp2(words.exposure);
     for (const scene::Light& light : scene.lights)

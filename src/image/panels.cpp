@@ -16,6 +16,17 @@ void copy_into(Image& whole, const Image& part, std::uint32_t left, std::uint32_
     }
 }
 
+std::vector<std::string> lines_of(const std::string& label) {
+    std::vector<std::string> lines;
+    std::size_t at = 0;
+    while (at <= label.size()) {
+        const std::size_t end = std::min(label.find('\n', at), label.size());
+        lines.push_back(label.substr(at, end - at));
+        at = end + 1;
+    }
+    return lines;
+}
+
 }  // namespace
 
 Image beside(const std::vector<Panel>& panels, const Rgba& paper) {
@@ -27,8 +38,15 @@ Image beside(const std::vector<Panel>& panels, const Rgba& paper) {
                                                   "{}; make them smaller.",
                                                   panels.size(), first.width, width, max_side));
     }
-    const std::uint32_t scale = std::clamp(std::min(first.width, first.height) / 200, 1u, 16u);
-    const std::uint32_t strip = 14 * scale;
+    std::size_t lines = 1;
+    std::vector<std::string> all;
+    for (const Panel& panel : panels) {
+        const std::vector<std::string> own = lines_of(panel.label);
+        lines = std::max(lines, own.size());
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    const std::uint32_t scale = letter_scale(first.width, first.height, first.width * 15 / 16, all);
+    const std::uint32_t strip = (2 + 12 * static_cast<std::uint32_t>(lines)) * scale;
     Image whole{static_cast<std::uint32_t>(width), std::min(first.height + strip, max_side), {}};
     whole.rgba.resize(std::size_t{whole.width} * whole.height * 4);
     fill_rectangle(whole, 0, first.height, whole.width, whole.height, paper);
@@ -40,10 +58,13 @@ Image beside(const std::vector<Panel>& panels, const Rgba& paper) {
                                     first.height, panel.picture.width, panel.picture.height));
         }
         copy_into(whole, panel.picture, i * first.width, 0);
-        const std::int64_t words = text_width(scale, panel.label);
-        const std::int64_t left = std::int64_t{i} * first.width + (std::int64_t{first.width} - words) / 2;
-        draw_text(whole, std::max(left, std::int64_t{i} * first.width), std::int64_t{first.height} + 3 * scale, scale,
-                  panel.label, {60, 62, 66, 255});
+        std::int64_t top = std::int64_t{first.height} + 3 * scale;
+        for (const std::string& line : lines_of(panel.label)) {
+            const std::int64_t left = (std::int64_t{first.width} - text_width(scale, line)) / 2;
+            draw_text(whole, std::int64_t{i} * first.width + std::max<std::int64_t>(left, 0), top, scale, line,
+                      {60, 62, 66, 255});
+            top += 12 * scale;
+        }
     }
     return whole;
 }

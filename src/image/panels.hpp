@@ -9,7 +9,7 @@ namespace tessera::image {
 
 struct Panel {
     Image picture;
-    std::string label;
+    std::string label;  ///< a line or several
 };
 
 /// Pictures of one size side by side, each over its label on a strip of `paper`. Throws Error(usage) where there

@@ -62,4 +62,14 @@ std::uint32_t text_width(std::uint32_t scale, const std::string& text) {
     return static_cast<std::uint32_t>(stb_easy_font_width(words.data())) * scale;
 }
 
+std::uint32_t letter_scale(std::uint32_t width, std::uint32_t height, std::uint32_t widest,
+                           const std::vector<std::string>& lines) {
+    std::uint32_t scale = std::clamp(std::min(width, height) / 200, 1u, 16u);
+    for (const std::string& line : lines) {
+        while (scale > 1 && text_width(scale, line) > widest)
+            --scale;
+    }
+    return scale;
+}
+
 }  // namespace tessera::image

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace tessera::image {
 
@@ -21,5 +22,9 @@ void draw_text(Image& image, std::int64_t x, std::int64_t y, std::uint32_t scale
 
 /// How wide draw_text() would make a line.
 std::uint32_t text_width(std::uint32_t scale, const std::string& text);
+
+/// The scale of letters that suit pictures of this size, 1 to 16, but not wider than `widest` pixels in any of `lines`.
+std::uint32_t letter_scale(std::uint32_t width, std::uint32_t height, std::uint32_t widest,
+                           const std::vector<std::string>& lines);
 
 }  // namespace tessera::image

@@ -88,6 +88,32 @@ TEST(Beside, KeepsEveryPixelAndAddsLabels) {
     EXPECT_EQ(beside({{flat(80, 40, red), ""}}, white).rgba.size(), 80u * whole.height * 4u);
 }
 
+TEST(Beside, LabelsMayHaveLines) {
+    const auto paper_rows = [](const std::string& label) {
+        return beside({{flat(420, 400, red), label}, {flat(420, 400, red), ""}}, white).height - 400;
+    };
+    EXPECT_EQ(paper_rows("a\nb"), paper_rows("a") + 24);
+    EXPECT_EQ(paper_rows("a\nb\nc"), paper_rows("a") + 48);
+    const Image two = beside({{flat(420, 400, red), "one\none"}}, white);
+    const Image one = beside({{flat(420, 400, red), "one"}}, white);
+    EXPECT_EQ(count(two, {60, 62, 66, 255}), 2 * count(one, {60, 62, 66, 255}));
+}
+
+TEST(Beside, LettersShrinkUntilLabelsFit) {
+    const auto ink_outside = [](const std::string& label) {
+        // The label of the left panel must not reach into the right one.
+        const Image whole = beside({{flat(420, 400, red), label}, {flat(420, 400, red), ""}}, white);
+        std::size_t found = 0;
+        for (std::uint32_t y = 400; y < whole.height; ++y) {
+            for (std::uint32_t x = 420; x < whole.width; ++x)
+                found += at(whole, x, y) != white ? 1 : 0;
+        }
+        return found;
+    };
+    EXPECT_EQ(ink_outside("pn, quadratic normals, 1234567 triangles"), 0u);
+    EXPECT_EQ(ink_outside("pn"), 0u);
+}
+
 TEST(Beside, RefusesWhatDoesNotFit) {
     EXPECT_THROW(beside({}, white), Error);
     EXPECT_THROW(beside({{flat(8, 4, red), ""}, {flat(8, 5, red), ""}}, white), Error);
