@@ -5,7 +5,7 @@
 #   scripts/setup.sh [--with-swiftshader] [--with-clang]
 #
 #   --with-swiftshader  Chromium's Vulkan driver too: a device without a tessellation stage, for the tests
-#   --with-clang        clang, clang-format and clang-tidy too: what .ci/run checks the sources with
+#   --with-clang        clang, its sanitizers, clang-format and clang-tidy too: what .ci/run checks the sources with
 #
 # Exit code 3: packages are missing and there is no way to install them here.
 set -eu
@@ -23,7 +23,7 @@ libgtest-dev librapidcheck-dev libbenchmark-dev libosd-dev
 for argument in "$@"; do
     case $argument in
         --with-swiftshader) packages="$packages chromium" ;;
-        --with-clang) packages="$packages clang clang-format clang-tidy" ;;
+        --with-clang) packages="$packages clang libclang-rt-dev clang-format clang-tidy" ;;
         *)
             echo "setup.sh: '$argument' is not known; it takes --with-swiftshader and --with-clang." >&2
             exit 2

@@ -3,15 +3,12 @@
 #include "backends/vulkan/errors.hpp"
 #include "backends/vulkan/fixed_function_modes.hpp"
 #include "backends/vulkan/fixed_function_shaders.hpp"
+#include "backends/vulkan/shader_module.hpp"
 
 namespace tessera::backends::vulkan {
 namespace {
 
 using ShaderStage = vk::ShaderStageFlagBits;
-
-vk::raii::ShaderModule create_module(const Context& context, std::span<const std::uint32_t> spirv) {
-    return {context.device, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data())};
-}
 
 /// Constants of fixed_function.tese.
 struct SurfaceConstants {

@@ -15,7 +15,7 @@ struct LastAccess {
     std::uint64_t write_epoch = 0;
 };
 
-struct Access {
+struct BufferAccess {
     LastAccess* target;
     bool writes;
 };
@@ -23,13 +23,13 @@ struct Access {
 class Hazards {
 public:
     /// Notes the accesses of the next command; true where a barrier must come before it.
-    bool next_command(std::span<const Access> accesses) {
+    bool next_command(std::span<const BufferAccess> accesses) {
         bool conflict = false;
-        for (const Access& access : accesses) {
+        for (const BufferAccess& access : accesses) {
             conflict |= access.target->write_epoch == epoch_ || (access.writes && access.target->read_epoch == epoch_);
         }
         if (conflict) ++epoch_;
-        for (const Access& access : accesses) {
+        for (const BufferAccess& access : accesses) {
             (access.writes ? access.target->write_epoch : access.target->read_epoch) = epoch_;
         }
         return conflict;

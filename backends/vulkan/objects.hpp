@@ -60,9 +60,9 @@ struct BindGroup final : gpu::BackendObject {
     BindGroup(Timeline& timeline, vk::raii::DescriptorSet set) : vulkan(timeline, std::move(set)) {}
 
     Deferred<vk::raii::DescriptorSet> vulkan;
-    std::vector<Buffer*> buffers;  ///< by slot; alive whenever the group is used
-    std::vector<Access> accesses;  ///< what a dispatch does to them
-    std::uint32_t uniforms = 0;    ///< number of dynamic offsets
+    std::vector<Buffer*> buffers;        ///< by slot; alive whenever the group is used
+    std::vector<BufferAccess> accesses;  ///< what a dispatch does to them
+    std::uint32_t uniforms = 0;          ///< number of dynamic offsets
 };
 
 struct QuerySet final : gpu::BackendObject {

@@ -2,15 +2,12 @@
 
 #include "backends/vulkan/errors.hpp"
 #include "backends/vulkan/raster_shaders.hpp"
+#include "backends/vulkan/shader_module.hpp"
 
 namespace tessera::backends::vulkan {
 namespace {
 
 using ShaderStage = vk::ShaderStageFlagBits;
-
-vk::raii::ShaderModule create_module(const Context& context, std::span<const std::uint32_t> spirv) {
-    return {context.device, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data())};
-}
 
 vk::raii::DescriptorSetLayout create_set_layout(const Context& context, vk::DescriptorType type,
                                                 vk::ShaderStageFlags stages) {

@@ -8,7 +8,7 @@
 namespace tessera::backends::vulkan {
 namespace {
 
-using Usage = vk::ImageUsageFlagBits;
+using ImageUsage = vk::ImageUsageFlagBits;
 
 constexpr std::uint32_t largest_side = 8192;
 
@@ -46,13 +46,14 @@ RasterTargets create_raster_targets(const Context& context, const RasterPasses& 
         RasterTargets targets;
         targets.width = width;
         targets.height = height;
-        targets.colour = create(context, passes.colour_format, size, passes.samples,
-                                Usage::eColorAttachment | Usage::eSampled, vk::ImageAspectFlagBits::eColor, "colour");
-        targets.depth = create(context, passes.depth_format, size, passes.samples, Usage::eDepthStencilAttachment,
+        targets.colour =
+            create(context, passes.colour_format, size, passes.samples,
+                   ImageUsage::eColorAttachment | ImageUsage::eSampled, vk::ImageAspectFlagBits::eColor, "colour");
+        targets.depth = create(context, passes.depth_format, size, passes.samples, ImageUsage::eDepthStencilAttachment,
                                vk::ImageAspectFlagBits::eDepth, "depth");
         targets.picture =
             create(context, passes.colour_format, size, vk::SampleCountFlagBits::e1,
-                   Usage::eColorAttachment | Usage::eTransferSrc, vk::ImageAspectFlagBits::eColor, "picture");
+                   ImageUsage::eColorAttachment | ImageUsage::eTransferSrc, vk::ImageAspectFlagBits::eColor, "picture");
         const std::array drawn = {*targets.colour.view, *targets.depth.view};
         targets.draw_framebuffer =
             vk::raii::Framebuffer(context.device, vk::FramebufferCreateInfo({}, *passes.draw, drawn, width, height, 1));

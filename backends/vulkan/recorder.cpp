@@ -12,11 +12,12 @@ Buffer& buffer_of(gpu::BackendObject* object) {
 
 /// Orders all commands before it with all after it, for every way in which ours touch memory.
 void full_barrier(const vk::raii::CommandBuffer& commands) {
-    using Access = vk::AccessFlagBits;
+    using BufferAccess = vk::AccessFlagBits;
     using Stage = vk::PipelineStageFlagBits;
-    const vk::MemoryBarrier barrier(Access::eShaderWrite | Access::eTransferWrite,
-                                    Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead |
-                                        Access::eTransferRead | Access::eTransferWrite | Access::eIndirectCommandRead);
+    const vk::MemoryBarrier barrier(BufferAccess::eShaderWrite | BufferAccess::eTransferWrite,
+                                    BufferAccess::eShaderRead | BufferAccess::eShaderWrite |
+                                        BufferAccess::eUniformRead | BufferAccess::eTransferRead |
+                                        BufferAccess::eTransferWrite | BufferAccess::eIndirectCommandRead);
     // Reads need no access mask, but a later write must wait for them: DrawIndirect is the stage that reads arguments.
     commands.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer | Stage::eDrawIndirect,
                              Stage::eComputeShader | Stage::eTransfer | Stage::eDrawIndirect, {}, barrier, {}, {});
@@ -28,7 +29,7 @@ void Recorder::record(const gpu::Command& command) {
     std::visit([this](const auto& one) { record(one); }, command);
 }
 
-const vk::raii::CommandBuffer& Recorder::begin_command(std::span<const Access> accesses) {
+const vk::raii::CommandBuffer& Recorder::begin_command(std::span<const BufferAccess> accesses) {
     const vk::raii::CommandBuffer& commands = timeline_.recording();
     if (hazards_.next_command(accesses)) {
         full_barrier(commands);
@@ -72,7 +73,7 @@ void Recorder::record(const gpu::CopyBuffer& command) {
     if (command.size == 0) return;
     Buffer& source = buffer_of(command.source);
     Buffer& destination = buffer_of(command.destination);
-    const std::array<Access, 2> accesses = {{{&source.last_access, false}, {&destination.last_access, true}}};
+    const std::array<BufferAccess, 2> accesses = {{{&source.last_access, false}, {&destination.last_access, true}}};
     const vk::raii::CommandBuffer& commands = begin_command(accesses);
     source.vulkan.use();
     destination.vulkan.use();
@@ -83,7 +84,7 @@ void Recorder::record(const gpu::CopyBuffer& command) {
 void Recorder::record(const gpu::FillBuffer& command) {
     if (command.size == 0) return;
     Buffer& buffer = buffer_of(command.buffer);
-    const std::array<Access, 1> accesses = {{{&buffer.last_access, true}}};
+    const std::array<BufferAccess, 1> accesses = {{{&buffer.last_access, true}}};
     const vk::raii::CommandBuffer& commands = begin_command(accesses);
     buffer.vulkan.use();
     commands.fillBuffer(*buffer.vulkan->buffer, command.offset, command.size, command.value);
@@ -139,7 +140,7 @@ void Recorder::write(Buffer& buffer, std::uint64_t offset, std::span<const std::
         const Staging::Piece piece = staging_.upload(size);
         std::memcpy(piece.mapped, data.data(), size);
         staging_.uploaded(piece, size);
-        const std::array<Access, 1> accesses = {{{&buffer.last_access, true}}};
+        const std::array<BufferAccess, 1> accesses = {{{&buffer.last_access, true}}};
         const vk::raii::CommandBuffer& commands = begin_command(accesses);
         buffer.vulkan.use();
         commands.copyBuffer(piece.buffer, *buffer.vulkan->buffer, vk::BufferCopy(piece.offset, offset, size));
@@ -159,7 +160,7 @@ void Recorder::read(Buffer& buffer, std::uint64_t offset, std::span<std::byte> d
     while (!data.empty()) {
         const std::uint64_t size = std::min<std::uint64_t>(data.size(), Staging::piece_size);
         const Staging::Piece piece = staging_.readback();
-        const std::array<Access, 1> accesses = {{{&buffer.last_access, false}}};
+        const std::array<BufferAccess, 1> accesses = {{{&buffer.last_access, false}}};
         const vk::raii::CommandBuffer& commands = begin_command(accesses);
         buffer.vulkan.use();
         commands.copyBuffer(*buffer.vulkan->buffer, piece.buffer, vk::BufferCopy(offset, piece.offset, size));

@@ -30,7 +30,7 @@ private:
     void record(const gpu::ResolveQuerySet& command);
 
     /// The open command buffer, after the barrier that `accesses` need.
-    const vk::raii::CommandBuffer& begin_command(std::span<const Access> accesses);
+    const vk::raii::CommandBuffer& begin_command(std::span<const BufferAccess> accesses);
     void bind(const vk::raii::CommandBuffer& commands, Pipeline& pipeline, BindGroup& group,
               std::uint32_t uniform_offset);
 
@@ -38,7 +38,7 @@ private:
     Timeline& timeline_;
     Staging staging_;
     Hazards hazards_;
-    std::vector<Access> accesses_;        // reused by indirect dispatches
+    std::vector<BufferAccess> accesses_;  // reused by indirect dispatches
     std::vector<std::uint32_t> dynamic_;  // reused by bind
     std::uint64_t barriers_ = 0;
 };

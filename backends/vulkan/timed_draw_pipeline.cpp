@@ -3,6 +3,7 @@
 #include "backends/vulkan/errors.hpp"
 #include "backends/vulkan/fixed_function_modes.hpp"
 #include "backends/vulkan/fixed_function_shaders.hpp"
+#include "backends/vulkan/shader_module.hpp"
 
 namespace tessera::backends::vulkan {
 namespace {
@@ -10,10 +11,6 @@ namespace {
 using ShaderStage = vk::ShaderStageFlagBits;
 
 constexpr vk::Format colour_format = vk::Format::eR8G8B8A8Unorm;
-
-vk::raii::ShaderModule create_module(const Context& context, std::span<const std::uint32_t> spirv) {
-    return {context.device, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data())};
-}
 
 void create_target(const Context& context, TimedPipeline& timed, bool drawn) {
     const vk::AttachmentDescription colour({}, colour_format, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eClear,

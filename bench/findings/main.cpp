@@ -63,7 +63,7 @@ int run(const std::string& output, const std::string& only, const std::string& p
     if (output.empty()) {
         std::fputs(document.markdown().c_str(), stdout);
     } else if (sound) {
-        write_file(output, std::as_bytes(std::span(document.markdown())));
+        write_text(output, document.markdown());
     }
     return sound ? 0 : 1;
 }

@@ -15,7 +15,7 @@ constexpr float factor = 16.0f;
 constexpr std::uint32_t picture_size = 512;
 constexpr std::uint32_t visible_steps = 8;
 
-struct Row {
+struct NormalsRow {
     std::string name;
     std::size_t patches = 0;
     measure::AngleStatistics apart, gap, quadratic_gap;
@@ -55,7 +55,7 @@ double visible_share(render::Rasteriser& rasteriser, const measure::PatchSurface
     return static_cast<double>(image::difference(of_a, of_b, visible_steps).count_over) / static_cast<double>(covered);
 }
 
-Row measure_model(const Bench& bench, const Model& model, render::Rasteriser& rasteriser) {
+NormalsRow measure_model(const Bench& bench, const Model& model, render::Rasteriser& rasteriser) {
     TessellationOptions options;
     options.partitioning = Partitioning::integer;
     options.factors = equal_factors(factor);
@@ -63,7 +63,7 @@ Row measure_model(const Bench& bench, const Model& model, render::Rasteriser& ra
     options.normals = Normals::surface;
     const auto surface = measure::make_patch_surface(bench.device, model.patches, options);
     const measure::PatchEdges edges = measure::find_edges(model.patches);
-    Row row;
+    NormalsRow row;
     row.name = model.name;
     row.patches = surface.patch_count();
     row.apart = measure::normal_angles(surface, quadratic);
@@ -80,10 +80,10 @@ Row measure_model(const Bench& bench, const Model& model, render::Rasteriser& ra
     return row;
 }
 
-void write_angles(const std::vector<Row>& rows, Document& document) {
+void write_angles(const std::vector<NormalsRow>& rows, Document& document) {
     Rows table{{"model", "patches", "apart: mean", "95 %", "max", "turned over", "pixels", "edges (split)",
                 "true jumps: mean", "95 %", "max", "quadratic jumps: max"}};
-    for (const Row& r : rows) {
+    for (const NormalsRow& r : rows) {
         table.push_back({r.name, fmt::to_string(r.patches), degrees(r.apart.mean), degrees(r.apart.most_95),
                          degrees(r.apart.max), fmt::to_string(r.turned), percent(r.visible),
                          fmt::format("{} ({})", r.edges, r.split), degrees(r.gap.mean), degrees(r.gap.most_95),
@@ -100,10 +100,10 @@ void write_angles(const std::vector<Row>& rows, Document& document) {
                     picture_size, picture_size, visible_steps, factor + 1));
 }
 
-void write_angle_claims(const std::vector<Row>& rows, Document& document) {
-    const Row& cube = rows.front();
-    const Range mean = range(rows, [](const Row& r) { return r.apart.mean; });
-    const Range visible = range(rows, [](const Row& r) { return r.visible; });
+void write_angle_claims(const std::vector<NormalsRow>& rows, Document& document) {
+    const NormalsRow& cube = rows.front();
+    const Range mean = range(rows, [](const NormalsRow& r) { return r.apart.mean; });
+    const Range visible = range(rows, [](const NormalsRow& r) { return r.visible; });
     document.claim(
         mean.least > 0.01 && cube.apart.mean > 0.2,
         fmt::format("The two are not the same on any model: {} to {} degrees apart in the mean, and on the cube, where "
@@ -111,16 +111,16 @@ void write_angle_claims(const std::vector<Row>& rows, Document& document) {
                     "depends on the model: from {} to {} of its pixels change by more than {} steps.",
                     degrees(mean.least), degrees(mean.greatest), degrees(cube.apart.mean), degrees(cube.apart.max),
                     percent(visible.least), percent(visible.greatest), visible_steps));
-    const Range gap = range(rows, [](const Row& r) { return r.gap.mean; });
+    const Range gap = range(rows, [](const NormalsRow& r) { return r.gap.mean; });
     document.claim(
-        std::ranges::all_of(rows, [](const Row& r) { return r.quadratic_gap.max == 0.0; }) && gap.least > 0.001,
+        std::ranges::all_of(rows, [](const NormalsRow& r) { return r.quadratic_gap.max == 0.0; }) && gap.least > 0.001,
         fmt::format("Quadratic normals are continuous across every edge of every model, bit by bit. True normals jump "
                     "on all of them, by {} to {} degrees in the mean: PN triangles meet without a crack but with a "
                     "crease, which true normals show and quadratic normals hide.",
                     degrees(gap.least), degrees(gap.greatest)));
-    const auto turned = [](const Row& r) { return r.turned > 0; };
+    const auto turned = [](const NormalsRow& r) { return r.turned > 0; };
     std::size_t all_turned = 0, leaning = 0;
-    for (const Row& r : rows) {
+    for (const NormalsRow& r : rows) {
         all_turned += r.turned;
         leaning += r.leaning;
     }
@@ -180,7 +180,7 @@ void write_operations(Document& document) {
 
 void write_normals_finding(const Bench& bench, Document& document) {
     const auto rasteriser = raster::open_portable(bench.device);
-    std::vector<Row> rows;
+    std::vector<NormalsRow> rows;
     for (const Model& model : bench.models)
         rows.push_back(measure_model(bench, model, *rasteriser));
     document.heading("1. True normals are not the quadratic ones");

@@ -10,7 +10,7 @@
 namespace tessera::findings {
 namespace {
 
-constexpr std::uint32_t picture_size = 1024;
+constexpr std::uint32_t outline_size = 1024;
 constexpr std::uint32_t views = 2;
 constexpr float exact_factor = 64.0f;
 constexpr std::uint32_t grid_steps = 4;  // 15 points on every triangle
@@ -24,7 +24,7 @@ struct Contest {
 constexpr std::array<Contest, 3> contests{
     {{Partitioning::integer, 4, 5}, {Partitioning::integer, 9, 11}, {Partitioning::fractional_odd, 12, 16}}};
 
-struct Row {
+struct PatternRow {
     std::string name;
     std::size_t concentric_triangles = 0, even_triangles = 0;
     measure::DistanceStatistics apart, concentric, even;  // the last two: from the exact patch
@@ -58,7 +58,7 @@ Exact make_exact(const Bench& bench, const Model& model, render::Rasteriser& ras
         const float azimuth = render::View{}.azimuth + quarter * static_cast<float>(v);
         exact.cameras.push_back(measure::frame_surface(exact.surface, azimuth));
         exact.silhouettes.push_back(
-            measure::draw_surface(rasteriser, exact.surface, exact.cameras.back(), picture_size));
+            measure::draw_surface(rasteriser, exact.surface, exact.cameras.back(), outline_size));
     }
     return exact;
 }
@@ -68,11 +68,11 @@ void add(measure::SilhouetteDifference& sum, const measure::SilhouetteDifference
     sum.area += d.area;
 }
 
-Row measure_model(const Bench& bench, const Model& model, const Contest& contest, const Exact& exact,
-                  render::Rasteriser& rasteriser) {
+PatternRow measure_model(const Bench& bench, const Model& model, const Contest& contest, const Exact& exact,
+                         render::Rasteriser& rasteriser) {
     const auto concentric = surface_of(bench, model, contest.partitioning, contest.factor);
     const auto even = surface_of(bench, model, Partitioning::uniform, contest.level);
-    Row row;
+    PatternRow row;
     row.name = model.name;
     row.concentric_triangles = concentric.triangle_count();
     row.even_triangles = even.triangle_count();
@@ -81,8 +81,8 @@ Row measure_model(const Bench& bench, const Model& model, const Contest& contest
     row.even = measure::distance_of_vertices(exact.surface, even);
     row.unit = 1e-6 * measure::diagonal(exact.surface);
     for (std::uint32_t v = 0; v < views; ++v) {
-        const auto of_concentric = measure::draw_surface(rasteriser, concentric, exact.cameras[v], picture_size);
-        const auto of_even = measure::draw_surface(rasteriser, even, exact.cameras[v], picture_size);
+        const auto of_concentric = measure::draw_surface(rasteriser, concentric, exact.cameras[v], outline_size);
+        const auto of_even = measure::draw_surface(rasteriser, even, exact.cameras[v], outline_size);
         add(row.outline_apart, measure::compare_silhouettes(of_concentric, of_even));
         add(row.outline_concentric, measure::compare_silhouettes(of_concentric, exact.silhouettes[v]));
         add(row.outline_even, measure::compare_silhouettes(of_even, exact.silhouettes[v]));
@@ -132,14 +132,15 @@ std::uint32_t quad_points_apart(const Bench& bench) {
     return greatest;
 }
 
-void write_contest(const Bench& bench, const Contest& contest, const std::vector<Row>& rows, Document& document) {
+void write_contest(const Bench& bench, const Contest& contest, const std::vector<PatternRow>& rows,
+                   Document& document) {
     document.subheading(fmt::format("{} {:.0f}, {} triangles per patch, against uniform {:.0f}, {} triangles",
                                     name(contest.partitioning), contest.factor,
                                     triangles_per_patch(bench, contest.partitioning, contest.factor), contest.level,
                                     triangles_per_patch(bench, Partitioning::uniform, contest.level)));
     Rows table{{"model", "triangles", "apart: mean", "max", "concentric off: mean", "max", "even off: mean", "max",
                 "outline", "apart: pixels", "area", "concentric off: area", "even off: area"}};
-    for (const Row& r : rows) {
+    for (const PatternRow& r : rows) {
         const auto distance = [&r](double d) { return fmt::format("{:.1f}", d / r.unit); };
         const auto area = [](const measure::SilhouetteDifference& d) { return fmt::format("{:.0f}", d.area); };
         table.push_back({r.name,
@@ -152,16 +153,17 @@ void write_contest(const Bench& bench, const Contest& contest, const std::vector
                          area(r.outline_concentric), area(r.outline_even)});
     }
     document.table(table);
-    const Range mean = range(rows, [](const Row& r) { return r.mean_ratio(); });
-    const Range max = range(rows, [](const Row& r) { return r.max_ratio(); });
+    const Range mean = range(rows, [](const PatternRow& r) { return r.mean_ratio(); });
+    const Range max = range(rows, [](const PatternRow& r) { return r.max_ratio(); });
     document.claim(
         mean.least > 1.0 && max.least > 1.0,
         fmt::format("On {} the even grid is nearer to the exact surface, in the mean and at most: the concentric "
                     "pattern is off {:.2f} to {:.2f} times as far in the mean, {:.2f} to {:.2f} times at most.",
-                    share_of(rows, [](const Row& r) { return r.mean_ratio() > 1.0 && r.max_ratio() > 1.0; }),
+                    share_of(rows, [](const PatternRow& r) { return r.mean_ratio() > 1.0 && r.max_ratio() > 1.0; }),
                     mean.least, mean.greatest, max.least, max.greatest));
-    const Range outline = range(rows, [](const Row& r) { return r.outline_concentric.area / r.outline_even.area; });
-    const Range shift = range(rows, [](const Row& r) { return r.shift(r.outline_apart); });
+    const Range outline =
+        range(rows, [](const PatternRow& r) { return r.outline_concentric.area / r.outline_even.area; });
+    const Range shift = range(rows, [](const PatternRow& r) { return r.shift(r.outline_apart); });
     document.claim(outline.least > 1.0,
                    fmt::format("Its silhouette is nearer too: the concentric one is off by {:.2f} to {:.2f} times the "
                                "area. Along the outline the two are {:.2f} to {:.2f} pixels apart in the mean.",
@@ -172,7 +174,7 @@ void write_contest(const Bench& bench, const Contest& contest, const std::vector
 
 void write_pattern_finding(const Bench& bench, Document& document) {
     const auto rasteriser = raster::open_portable(bench.device);
-    std::array<std::vector<Row>, contests.size()> rows;
+    std::array<std::vector<PatternRow>, contests.size()> rows;
     for (const Model* model : small_triangle_models(bench.models)) {
         const Exact exact = make_exact(bench, *model, *rasteriser);
         for (std::size_t c = 0; c < contests.size(); ++c)
@@ -196,14 +198,14 @@ void write_pattern_finding(const Bench& bench, Document& document) {
         "nearest point of the other. Silhouettes: {} views a quarter turn apart, {} x {} pixels of four samples, the "
         "same camera for all; *outline*: pixels that the exact outline runs through; *pixels*: whose coverage differs; "
         "*area*: the sum of the differences in coverage, in pixels. Models of triangles only.",
-        exact_factor, views, picture_size, picture_size));
+        exact_factor, views, outline_size, outline_size));
     for (std::size_t c = 0; c < contests.size(); ++c)
         write_contest(bench, contests[c], rows[c], document);
     document.subheading("So");
     const auto& theirs = rows.back();
-    const Range apart = range(theirs, [](const Row& r) { return r.apart.mean / r.concentric.mean; });
-    const auto subtle = [](const Row& r) { return r.shift(r.outline_apart) < 0.1; };
-    const auto striking = [](const Row& r) { return r.shift(r.outline_apart) >= 0.1; };
+    const Range apart = range(theirs, [](const PatternRow& r) { return r.apart.mean / r.concentric.mean; });
+    const auto subtle = [](const PatternRow& r) { return r.shift(r.outline_apart) < 0.1; };
+    const auto striking = [](const PatternRow& r) { return r.shift(r.outline_apart) >= 0.1; };
     document.claim(
         apart.least > 0.3 && names_of(theirs, striking) == "shape:cube, shape:icosahedron",
         fmt::format("The pattern does change the mesh: at factor 12 the two surfaces are apart by {} to {} of what the "
@@ -213,7 +215,7 @@ void write_pattern_finding(const Bench& bench, Document& document) {
                     percent(apart.least), percent(apart.greatest), share_of(theirs, subtle),
                     names_of(theirs, striking)));
     document.claim(
-        std::ranges::all_of(rows[1], [](const Row& r) { return r.concentric_triangles == r.even_triangles; }),
+        std::ranges::all_of(rows[1], [](const PatternRow& r) { return r.concentric_triangles == r.even_triangles; }),
         "For equal triangles the even grid has more segments on a patch's edges (11 against 9). What the concentric "
         "pattern has for it is a factor of its own for every edge, so that patches of different factors can meet "
         "without cracks; the even grid has one level per patch.");

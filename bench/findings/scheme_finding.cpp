@@ -9,26 +9,26 @@
 namespace tessera::findings {
 namespace {
 
-constexpr float factor = 16.0f;
+constexpr float measured_factor = 16.0f;
 
-struct Row {
+struct SchemeRow {
     std::string name;
     measure::AngleStatistics flat, phong, pn;  // jumps of the surfaces' own normals
     double shading = 0.0;                      // greatest jump of the three kinds of shading normals
     measure::AngleStatistics off_phong, off_linear, off_quadratic;  // shading normals from those of their surface
 };
 
-Row measure_model(const Bench& bench, const Model& model) {
+SchemeRow measure_model(const Bench& bench, const Model& model) {
     const auto make = [&](Scheme scheme, Normals normals) {
         TessellationOptions options;
         options.partitioning = Partitioning::integer;
-        options.factors = equal_factors(factor);
+        options.factors = equal_factors(measured_factor);
         options.scheme = scheme;
         options.normals = normals;
         return measure::make_patch_surface(bench.device, model.patches, options);
     };
     const measure::PatchEdges edges = measure::find_edges(model.patches);
-    Row row;
+    SchemeRow row;
     row.name = model.name;
     row.flat = measure::discontinuity(make(Scheme::linear, Normals::surface), edges);
     const auto shaded = [&](Scheme scheme, Normals normals, const measure::PatchSurface& own) {
@@ -46,10 +46,10 @@ Row measure_model(const Bench& bench, const Model& model) {
     return row;
 }
 
-void write_continuity(const std::vector<Row>& rows, Document& document) {
+void write_continuity(const std::vector<SchemeRow>& rows, Document& document) {
     Rows table{{"model", "flat: mean", "max", "phong: mean", "max", "pn: mean", "max", "shading jumps: max",
                 "phong off: mean", "pn linear off: mean", "pn quadratic off: mean"}};
-    for (const Row& r : rows) {
+    for (const SchemeRow& r : rows) {
         table.push_back({r.name, degrees(r.flat.mean), degrees(r.flat.max), degrees(r.phong.mean), degrees(r.phong.max),
                          degrees(r.pn.mean), degrees(r.pn.max), degrees(r.shading), degrees(r.off_phong.mean),
                          degrees(r.off_linear.mean), degrees(r.off_quadratic.mean)});
@@ -61,31 +61,32 @@ void write_continuity(const std::vector<Row>& rows, Document& document) {
         "0.75 and for PN. *Shading jumps*: the same for the interpolated normals, the greatest of phong, pn linear and "
         "pn quadratic. *Off*: the angle between interpolated normals and those of the surface that they shade, over "
         "all vertices.");
-    document.claim(std::ranges::all_of(rows, [](const Row& r) { return r.shading == 0.0; }),
+    document.claim(std::ranges::all_of(rows, [](const SchemeRow& r) { return r.shading == 0.0; }),
                    "The normals that are shaded with are continuous across all edges in all three, bit by bit: they "
                    "depend on the edge's own corners only. What differs is the surface below them.");
-    const auto pn_smoother = [](const Row& r) { return r.pn.mean < r.phong.mean; };
-    const auto pn_rougher = [](const Row& r) { return r.pn.mean >= r.phong.mean; };
-    const auto ratio = [](const Row& r) { return r.phong.mean / r.pn.mean; };
-    document.claim(std::ranges::count_if(rows, pn_smoother) > 2 * std::ranges::count_if(rows, pn_rougher) &&
-                       names_of(rows, pn_rougher) == "shape:icosahedron, ball.glb" &&
-                       std::ranges::all_of(
-                           rows, [](const Row& r) { return r.pn.mean < r.flat.mean && r.phong.mean < r.flat.mean; }),
-                   fmt::format("Neither surface is smooth across edges, and both are far smoother than the model. PN "
-                               "is the smoother one in the mean on {}, as Nunes et al. saw, where Phong creases up to "
-                               "{:.1f} times as much; on {} Phong is, so it is no rule: these two are coarse spheres.",
-                               share_of(rows, pn_smoother), range(rows, ratio).greatest, names_of(rows, pn_rougher)));
-    const auto worse_max = [](const Row& r) { return r.pn.max > r.phong.max; };
+    const auto pn_smoother = [](const SchemeRow& r) { return r.pn.mean < r.phong.mean; };
+    const auto pn_rougher = [](const SchemeRow& r) { return r.pn.mean >= r.phong.mean; };
+    const auto ratio = [](const SchemeRow& r) { return r.phong.mean / r.pn.mean; };
+    document.claim(
+        std::ranges::count_if(rows, pn_smoother) > 2 * std::ranges::count_if(rows, pn_rougher) &&
+            names_of(rows, pn_rougher) == "shape:icosahedron, ball.glb" &&
+            std::ranges::all_of(
+                rows, [](const SchemeRow& r) { return r.pn.mean < r.flat.mean && r.phong.mean < r.flat.mean; }),
+        fmt::format("Neither surface is smooth across edges, and both are far smoother than the model. PN "
+                    "is the smoother one in the mean on {}, as Nunes et al. saw, where Phong creases up to "
+                    "{:.1f} times as much; on {} Phong is, so it is no rule: these two are coarse spheres.",
+                    share_of(rows, pn_smoother), range(rows, ratio).greatest, names_of(rows, pn_rougher)));
+    const auto worse_max = [](const SchemeRow& r) { return r.pn.max > r.phong.max; };
     document.claim(
         std::ranges::any_of(rows, worse_max),
         fmt::format(
             "The sharpest crease of a model is another matter: with PN it is sharper than with Phong on {} ({}).",
             share_of(rows, worse_max), names_of(rows, worse_max)));
-    const auto helps = [](const Row& r) { return r.off_quadratic.mean < r.off_linear.mean; };
+    const auto helps = [](const SchemeRow& r) { return r.off_quadratic.mean < r.off_linear.mean; };
     document.claim(
         std::ranges::count_if(rows, helps) * 2 > std::ranges::ssize(rows) && !std::ranges::all_of(rows, helps),
         fmt::format("Quadratic normals follow the PN surface better than linear ones on {}, but not on {}.",
-                    share_of(rows, helps), names_of(rows, [&](const Row& r) { return !helps(r); })));
+                    share_of(rows, helps), names_of(rows, [&](const SchemeRow& r) { return !helps(r); })));
 }
 
 struct Scored {
@@ -176,7 +177,7 @@ void write_costs(const Bench& bench, Document& document) {
 }  // namespace
 
 void write_scheme_finding(const Bench& bench, Document& document) {
-    std::vector<Row> rows;
+    std::vector<SchemeRow> rows;
     for (const Model& model : bench.models)
         rows.push_back(measure_model(bench, model));
     document.heading("3. Phong, PN with linear and PN with quadratic normals");

@@ -115,6 +115,10 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
     file.publish();
 }
 
+void write_text(const fs::path& path, const std::string& text) {
+    write_file(path, std::as_bytes(std::span(text)));
+}
+
 void TextOutput::flush_if_large() {
     if (pending_.size() >= text_piece) flush();
 }

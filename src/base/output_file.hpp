@@ -38,8 +38,9 @@ private:
     int descriptor_ = -1;
 };
 
-/// Writes a whole file at once. Throws Error(output) like OutputFile.
+/// Each writes a whole file at once. They throw Error(output) like OutputFile.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_text(const std::filesystem::path& path, const std::string& text);
 
 /// Appends text to an OutputFile in large pieces.
 class TextOutput {

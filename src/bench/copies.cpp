@@ -15,7 +15,7 @@ namespace {
 
 constexpr float factor = 4.0f;
 constexpr std::uint64_t triangles_per_patch = 24;  // integer partitioning
-constexpr std::uint64_t memory_budget = 512ull << 20;
+constexpr std::uint64_t budget_of_a_batch = 512ull << 20;
 /// Software rasterisers draw scenes up to this size only: more takes minutes and says nothing new.
 constexpr double most_drawn_in_software = 1.5e6;
 constexpr double most_drawn_quickly = 5e4;
@@ -59,7 +59,7 @@ TessellationOptions options_of(Scheme scheme) {
     options.normals = scheme == Scheme::pn ? Normals::quadratic : Normals::linear;
     options.partitioning = Partitioning::integer;
     options.factors = equal_factors(factor);
-    options.memory_budget = memory_budget;
+    options.memory_budget = budget_of_a_batch;
     return options;
 }
 

@@ -19,7 +19,7 @@ constexpr int width = 1000;
 constexpr int left = 330;   // where bars begin
 constexpr int right = 120;  // room for the number behind the longest
 constexpr int bar = 22;     // from one bar to the next
-constexpr int heading = 40;
+constexpr int heading_height = 40;
 
 struct Rectangle {
     int x, y, width, height;
@@ -40,7 +40,7 @@ Drawing draw(const Report& report) {
     Drawing d;
     int y = 16;
     d.texts.push_back({16, y, false, "Millions of triangles per second, whole jobs, medians; grey: peers"});
-    y += heading;
+    y += heading_height;
     for (const auto& [id, description] : report.workloads) {
         std::vector<std::pair<const Figure*, double>> bars;
         for (const Figure& figure : report.figures) {
@@ -69,7 +69,7 @@ std::string hex(Colour c) {
     return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
 }
 
-std::string escaped(const std::string& text) {
+std::string xml_text(const std::string& text) {
     std::string result;
     for (const char c : text) {
         result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
@@ -92,7 +92,7 @@ std::string plot_svg(const Report& report) {
     }
     for (const Text& t : d.texts) {
         fmt::format_to(std::back_inserter(svg), "<text x=\"{}\" y=\"{}\"{}>{}</text>\n", t.x, t.y + 10,
-                       t.ends ? " text-anchor=\"end\"" : "", escaped(t.words));
+                       t.ends ? " text-anchor=\"end\"" : "", xml_text(t.words));
     }
     return svg + "</svg>\n";
 }

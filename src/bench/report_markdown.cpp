@@ -6,7 +6,7 @@
 namespace tessera::bench {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string cell_text(const std::string& text) {
     std::string result;
     for (const char c : text) {
         if (c == '|') result += '\\';
@@ -22,7 +22,7 @@ void append(std::string& text, const Grid& grid, const char* level) {
     for (std::size_t r = 0; r < grid.rows.size(); ++r) {
         text += "|";
         for (const std::string& cell : grid.rows[r]) {
-            fmt::format_to(std::back_inserter(text), " {} |", escaped(cell));
+            fmt::format_to(std::back_inserter(text), " {} |", cell_text(cell));
         }
         text += "\n";
         if (r == 0) {

@@ -19,7 +19,7 @@
 namespace tessera::cli {
 namespace {
 
-struct Words {
+struct BenchWords {
     std::vector<std::string> workloads, devices;
     std::string json, markdown, plot, remarks;
     int repetitions = 0;
@@ -51,10 +51,6 @@ std::filesystem::path models_folder() {
     return std::filesystem::is_directory(folder, ignored) ? folder : std::filesystem::path();
 }
 
-void write_text(const std::string& path, const std::string& text) {
-    write_file(path, std::as_bytes(std::span(text)));
-}
-
 void check_plot(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
     if (!path.empty() && extension != ".svg" && extension != ".png") {
@@ -81,7 +77,7 @@ std::string read_remarks(const std::string& path) {
     return text;
 }
 
-int run(const Context& context, const Words& words) {
+int run(const Context& context, const BenchWords& words) {
     check_plot(words.plot);
     const std::string remarks = read_remarks(words.remarks);
     bench::Settings settings;
@@ -120,7 +116,7 @@ int run(const Context& context, const Words& words) {
 }  // namespace
 
 void add_bench_command(CLI::App& app, Context& context) {
-    const auto words = std::make_shared<Words>();
+    const auto words = std::make_shared<BenchWords>();
     CLI::App* command = app.add_subcommand("bench", "Measure every device beside the roof of memory and the peers");
     command->footer("Example: tessera bench --workload W1,W2 --json figures.json");
     command

@@ -13,7 +13,7 @@
 namespace tessera::cli {
 namespace {
 
-struct Words {
+struct DiffWords {
     std::string first, second, output;
     compare::CompareOptions options;
     double max_flip = 0.0;
@@ -22,7 +22,7 @@ struct Words {
 };
 
 /// A tolerance is a gate of its own: nothing may lie outside it, unless a number of outliers is allowed.
-compare::Gates gates_from(const CLI::App& command, const Words& words) {
+compare::Gates gates_from(const CLI::App& command, const DiffWords& words) {
     compare::Gates gates;
     if (command.count("--max-flip") > 0) {
         if (!(words.max_flip >= 0.0 && words.max_flip <= 1.0)) {
@@ -37,7 +37,7 @@ compare::Gates gates_from(const CLI::App& command, const Words& words) {
     return gates;
 }
 
-nlohmann::ordered_json as_json(const Words& words, const compare::Comparison& c, const compare::Verdict& verdict) {
+nlohmann::ordered_json as_json(const DiffWords& words, const compare::Comparison& c, const compare::Verdict& verdict) {
     const auto& p = c.pixels;
     nlohmann::ordered_json document;
     document["first"] = words.first;
@@ -63,7 +63,7 @@ nlohmann::ordered_json as_json(const Words& words, const compare::Comparison& c,
     return document;
 }
 
-void print(const Words& words, const compare::Comparison& c, const compare::Verdict& verdict) {
+void print(const DiffWords& words, const compare::Comparison& c, const compare::Verdict& verdict) {
     const auto& p = c.pixels;
     if (p.equal) {
         fmt::print("bits      equal, {} x {} pixels\n", c.width, c.height);
@@ -82,7 +82,7 @@ void print(const Words& words, const compare::Comparison& c, const compare::Verd
         fmt::print("{}\n", failure);
 }
 
-int run(const Context& context, const compare::Gates& gates, const Words& words) {
+int run(const Context& context, const compare::Gates& gates, const DiffWords& words) {
     const image::Image first = load_picture(words.first);
     const image::Image second = load_picture(words.second);
     if (first.width != second.width || first.height != second.height) {
@@ -109,7 +109,7 @@ int run(const Context& context, const compare::Gates& gates, const Words& words)
 }  // namespace
 
 void add_diff_command(CLI::App& app, Context& context) {
-    const auto words = std::make_shared<Words>();
+    const auto words = std::make_shared<DiffWords>();
     CLI::App* command = app.add_subcommand("diff", "Compare two pictures: bits, PSNR, SSIM, FLIP, outliers");
     command->footer(
         "PASS or FAIL: without a gate the bits must be equal; --max-flip, --max-outliers and --tolerance are gates.\n"

@@ -14,12 +14,12 @@
 namespace tessera::cli {
 namespace {
 
-struct Words {
+struct PatternWords {
     std::string factors, domain = "triangle", partitioning = "fractional_odd", winding = "cw", device = "reference",
                          output, check;
 };
 
-int check(const Words& words) {
+int check(const PatternWords& words) {
     const std::vector<verify::GoldenCase> cases = verify::read_golden_file(words.check);
     std::vector<std::string> ids{words.device};
     if (words.device == "all") {
@@ -43,7 +43,7 @@ int check(const Words& words) {
     return total == 0 ? exit_fine : exit_difference;
 }
 
-void draw(const Pattern& pattern, Domain domain, const Words& words) {
+void draw(const Pattern& pattern, Domain domain, const PatternWords& words) {
     if (domain == Domain::isoline) {
         throw Error(ErrorKind::usage, "Isolines are lines, which the rasteriser does not draw; write a .svg or .csv.");
     }
@@ -62,11 +62,7 @@ void draw(const Pattern& pattern, Domain domain, const Words& words) {
     image::write_png(rasteriser->finish(), words.output);
 }
 
-void write_text(const std::string& path, const std::string& text) {
-    write_file(path, std::as_bytes(std::span(text)));
-}
-
-int show(const Context& context, const Words& words) {
+int show(const Context& context, const PatternWords& words) {
     if (words.winding != "cw" && words.winding != "ccw") {
         throw Error(ErrorKind::usage,
                     fmt::format("There is no winding named \"{}\"; choose cw or ccw.", words.winding));
@@ -97,7 +93,7 @@ int show(const Context& context, const Words& words) {
     return exit_fine;
 }
 
-int run(const Context& context, const Words& words) {
+int run(const Context& context, const PatternWords& words) {
     if (words.factors.empty() == words.check.empty()) {
         throw Error(ErrorKind::usage, "Give either --factors to show a pattern or --check to check a file of them.");
     }
@@ -107,7 +103,7 @@ int run(const Context& context, const Words& words) {
 }  // namespace
 
 void add_pattern_command(CLI::App& app, Context& context) {
-    const auto words = std::make_shared<Words>();
+    const auto words = std::make_shared<PatternWords>();
     CLI::App* command = app.add_subcommand("pattern", "Show one domain pattern, or check a file of golden ones");
     command->footer(
         "Examples: tessera pattern --factors 3,5.5,8,6 -o pattern.svg\n"

@@ -18,7 +18,7 @@
 namespace tessera::cli {
 namespace {
 
-struct Words {
+struct TessellateWords {
     std::string input, output, device = "reference";
     JobWords job;
     LoadWords load;
@@ -27,8 +27,9 @@ struct Words {
     bool json = false;
 };
 
-void report(const Context& context, const Words& words, const gpu::DeviceInfo& device, const patches::PatchSet& patches,
-            const patches::HairSet& hair, SceneTessellator& tessellator, double seconds) {
+void report(const Context& context, const TessellateWords& words, const gpu::DeviceInfo& device,
+            const patches::PatchSet& patches, const patches::HairSet& hair, SceneTessellator& tessellator,
+            double seconds) {
     const MeshTotals& totals = tessellator.totals();
     const StageTimes times = tessellator.times();
     say(context, fmt::format("{}: {} patches -> {} vertices, {} triangles on {} ({})", words.output,
@@ -68,7 +69,7 @@ void report(const Context& context, const Words& words, const gpu::DeviceInfo& d
     }
 }
 
-int run(const Context& context, const Words& words) {
+int run(const Context& context, const TessellateWords& words) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     const scene::Scene scene = load(context, words.input, words.load);
@@ -103,7 +104,7 @@ int run(const Context& context, const Words& words) {
 }  // namespace
 
 void add_tessellate_command(CLI::App& app, Context& context) {
-    const auto words = std::make_shared<Words>();
+    const auto words = std::make_shared<TessellateWords>();
     CLI::App* command = app.add_subcommand("tessellate", "Refine a model and write it as .glb, .obj or .ply");
     command->footer("Example: tessera tessellate fox.glb -o smooth.glb --scheme pn --factor 8 --device opencl");
     command->add_option("input", words->input, "A .gltf, .glb or .obj file, or a built-in shape such as shape:torus")

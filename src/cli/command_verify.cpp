@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using verify::DeviceComparison;
 
-struct Words {
+struct VerifyWords {
     std::vector<std::string> inputs, devices, required;
     JobWords job;
     LoadWords load;
@@ -32,7 +32,7 @@ struct Words {
 };
 
 // The reference first, then what was asked for or everything found. A required backend that is missing fails.
-std::vector<gpu::Device> open_devices(const Context& context, const Words& words) {
+std::vector<gpu::Device> open_devices(const Context& context, const VerifyWords& words) {
     std::vector<std::string> ids = words.devices;
     if (ids.empty()) {
         const backends::Inventory inventory = backends::list_devices();
@@ -174,7 +174,7 @@ void print_markdown(const std::vector<DeviceComparison>& sums, std::size_t jobs)
 
 // What to compare: the options given, or with --all every scheme, kind of normals and partitioning; tangents, where no
 // kind of them is asked for, of both kinds once per scheme.
-std::vector<JobWords> variants(const Words& words) {
+std::vector<JobWords> variants(const VerifyWords& words) {
     if (!words.all) {
         return {words.job};
     }
@@ -204,7 +204,7 @@ std::vector<JobWords> variants(const Words& words) {
 // Likewise for hair: both kinds of ribbons unless one is asked for, and with --all every partitioning along a hair.
 // Without
 // --eye the camera stands in front of the model's right upper corner.
-std::vector<HairOptions> hair_variants(const Words& words, const patches::HairSet& hair) {
+std::vector<HairOptions> hair_variants(const VerifyWords& words, const patches::HairSet& hair) {
     HairOptions options = resolve_hair(words.hair, Ribbons::flat, words.job.memory_budget);
     if (words.hair.eye.empty()) {
         options.eye = {patches::to_model_space(1.5f, hair.exponent), patches::to_model_space(1.0f, hair.exponent),
@@ -226,7 +226,7 @@ std::vector<HairOptions> hair_variants(const Words& words, const patches::HairSe
 
 // What all comparisons together say.
 struct Report {
-    const Words& words;
+    const VerifyWords& words;
     Json documents = Json::array();
     std::vector<DeviceComparison> sums;
     std::size_t jobs = 0, different = 0;
@@ -253,7 +253,7 @@ struct Report {
     }
 };
 
-int run(const Context& context, const Words& words) {
+int run(const Context& context, const VerifyWords& words) {
     if (!words.oracle.empty()) {
         const std::vector<std::string> devices =
             words.devices.empty() ? std::vector<std::string>{"reference"} : words.devices;
@@ -293,7 +293,7 @@ int run(const Context& context, const Words& words) {
 }  // namespace
 
 void add_verify_command(CLI::App& app, Context& context) {
-    const auto words = std::make_shared<Words>();
+    const auto words = std::make_shared<VerifyWords>();
     CLI::App* command =
         app.add_subcommand("verify", "Run the same job on every device and compare every buffer bit by bit");
     command->footer("Example: tessera verify fox.glb --all --factor random:1..9 --require vulkan,opencl");

@@ -10,12 +10,12 @@
 namespace tessera::patches {
 namespace {
 
-float flush(float x) {
+float without_tiny(float x) {
     return std::fabs(x) < 0x1p-30f ? 0.0f : x;
 }
 
 float kernel_width(double width, int exponent) {
-    return flush(static_cast<float>(std::min(std::scalbn(width, -exponent), double{largest_hair_width})));
+    return without_tiny(static_cast<float>(std::min(std::scalbn(width, -exponent), double{largest_hair_width})));
 }
 
 double mean_length(const scene::Guides& guides) {
@@ -35,10 +35,10 @@ void add_points(const scene::Guides& guides, std::optional<float> width, HairSet
         const glm::vec3& p = guides.points[i];
         const glm::vec3& n = guides.normals[i];
         const double given = guides.widths[i] == scene::no_width ? fallback : double{guides.widths[i]};
-        const auto scaled = [&](float x) { return flush(std::scalbn(x, -set.exponent)); };
+        const auto scaled = [&](float x) { return without_tiny(std::scalbn(x, -set.exponent)); };
         set.points.push_back({{scaled(p.x), scaled(p.y), scaled(p.z)},
                               kernel_width(width ? double{*width} : given, set.exponent),
-                              {flush(n.x), flush(n.y), flush(n.z)},
+                              {without_tiny(n.x), without_tiny(n.y), without_tiny(n.z)},
                               0.0f});
     }
 }

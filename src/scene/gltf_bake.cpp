@@ -1,5 +1,6 @@
 #include "scene/gltf_bake.hpp"
 
+#include "scene/finite.hpp"
 #include "scene/gltf_accessor.hpp"
 #include "scene/gltf_skin.hpp"
 
@@ -10,10 +11,6 @@
 
 namespace tessera::scene {
 namespace {
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// To float without the undefined behaviour of a value out of range, and without negative zeros: equal positions
 /// then have equal bits.

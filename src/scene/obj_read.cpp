@@ -1,5 +1,7 @@
 #include "scene/obj_read.hpp"
 
+#include "scene/finite.hpp"
+
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 #include <algorithm>
@@ -11,10 +13,6 @@
 
 namespace tessera::scene {
 namespace {
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// What tinyobjloader calls back. Its callback interface is used because the other one counts the corners of a face in
 /// eight bits.

@@ -6,7 +6,7 @@
 namespace tessera::scene {
 namespace {
 
-glm::vec3 unit_or_zero(const glm::dvec3& v) {
+glm::vec3 middle_normal(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 1e-6 ? glm::vec3(v / length) + 0.0f : glm::vec3(0.0f);
 }
@@ -80,7 +80,7 @@ private:
         });
         out.normal = normals_.find(a.normal, b.normal, [&] {
             return append(p_.normals,
-                          unit_or_zero(glm::dvec3(p_.normals[a.normal]) + glm::dvec3(p_.normals[b.normal])));
+                          middle_normal(glm::dvec3(p_.normals[a.normal]) + glm::dvec3(p_.normals[b.normal])));
         });
         drop_zero_normal(out);
         return out;
@@ -101,7 +101,7 @@ private:
         const auto n = static_cast<double>(around.size());
         out.position = append(p_.positions, glm::vec3(position / n) + 0.0f);
         if (has_uv) out.uv = append(p_.uvs, glm::vec2(uv / n));
-        if (has_normal) out.normal = append(p_.normals, unit_or_zero(normal));
+        if (has_normal) out.normal = append(p_.normals, middle_normal(normal));
         drop_zero_normal(out);
         return out;
     }

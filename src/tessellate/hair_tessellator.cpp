@@ -1,9 +1,9 @@
 #include "tessellate/hair_tessellator.hpp"
 
 #include "base/error.hpp"
+#include "tessellate/mesh_parts.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cassert>
 
 namespace tessera {
@@ -13,28 +13,10 @@ HairTessellator::HairTessellator(const gpu::Device& device, const patches::HairS
     for (const patches::PatchRange& range : hair.ranges)
         totals_.parts.push_back({range.name, range.material});
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
-        const Chunk& chunk = job_.chunk(i);
-        const std::vector<PatchOffset>& offsets = job_.count(i);
+        add_to_parts(totals_, hair.ranges, job_.parts_per_patch(), job_.chunk(i), job_.count(i));
         counted_chunk_ = i;
-        for (std::size_t r = 0; r < hair.ranges.size(); ++r) {
-            const std::uint64_t per_patch = job_.parts_per_patch();
-            const std::uint64_t range_first = hair.ranges[r].first_patch * per_patch;
-            const std::uint64_t range_end = range_first + hair.ranges[r].patch_count * per_patch;
-            const std::uint64_t first = std::max(range_first, chunk.first_patch);
-            const std::uint64_t end = std::min(range_end, chunk.first_patch + chunk.patch_count);
-            if (first >= end) continue;
-            const PatchOffset& from = offsets[first - chunk.first_patch];
-            const PatchOffset& to = offsets[end - chunk.first_patch];
-            totals_.parts[r].vertex_count += to.vertex - from.vertex;
-            totals_.parts[r].index_count += to.index - from.index;
-        }
     }
-    for (MeshPart& part : totals_.parts) {
-        part.first_vertex = totals_.vertex_count;
-        part.first_index = totals_.index_count;
-        totals_.vertex_count += part.vertex_count;
-        totals_.index_count += part.index_count;
-    }
+    place_parts(totals_);
 }
 
 void HairTessellator::run(MeshSink& sink, std::uint64_t first_vertex, std::uint64_t first_index, Space space,
@@ -60,11 +42,7 @@ void HairTessellator::run(MeshSink& sink, std::uint64_t first_vertex, std::uint6
             indices.resize(batch.index_count);
             device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
             device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
-            for (Vertex& vertex : vertices) {
-                if (space == Space::kernel) break;
-                for (float& coordinate : vertex.position)
-                    coordinate = patches::to_model_space(coordinate, hair_.exponent);
-            }
+            if (space == Space::model) scale_to_model(vertices, hair_.exponent);
             sink.append({first_vertex, first_index, vertices, indices});
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;

@@ -2,47 +2,14 @@
 
 #include "base/error.hpp"
 #include "layout.h"
+#include "tessellate/mesh_parts.hpp"
 #include "tessellate/quad_faces.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cassert>
 
 namespace tessera {
 namespace {
-
-// Adds a chunk's output to the parts its patches belong to. Both lists are in patch order.
-void add_to_parts(MeshTotals& totals, const std::vector<patches::PatchRange>& ranges, const Chunk& chunk,
-                  const std::vector<PatchOffset>& offsets) {
-    const std::uint64_t chunk_end = chunk.first_patch + chunk.patch_count;
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const std::uint64_t first = std::max(ranges[i].first_patch, chunk.first_patch);
-        const std::uint64_t end = std::min(ranges[i].first_patch + ranges[i].patch_count, chunk_end);
-        if (first < end) {
-            const PatchOffset& from = offsets[first - chunk.first_patch];
-            const PatchOffset& to = offsets[end - chunk.first_patch];
-            totals.parts[i].vertex_count += to.vertex - from.vertex;
-            totals.parts[i].index_count += to.index - from.index;
-        }
-    }
-}
-
-void place_parts(MeshTotals& totals) {
-    for (MeshPart& part : totals.parts) {
-        part.first_vertex = totals.vertex_count;
-        part.first_index = totals.index_count;
-        totals.vertex_count += part.vertex_count;
-        totals.index_count += part.index_count;
-    }
-}
-
-void scale_to_model(std::vector<Vertex>& vertices, int exponent) {
-    for (Vertex& vertex : vertices) {
-        for (float& coordinate : vertex.position) {
-            coordinate = patches::to_model_space(coordinate, exponent);
-        }
-    }
-}
 
 /// Marks the quads of a batch whose first vertex has the index `first_vertex`.
 void mark_batch(const Batch& batch, const std::vector<PatchOffset>& offsets, std::span<const std::uint32_t> records,
@@ -66,7 +33,7 @@ Tessellator::Tessellator(const gpu::Device& device, const patches::PatchSet& pat
         totals_.parts.push_back({range.name, range.material});
     }
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
-        add_to_parts(totals_, patches.ranges, job_.chunk(i), job_.count(i));
+        add_to_parts(totals_, patches.ranges, 1, job_.chunk(i), job_.count(i));
         counted_chunk_ = i;
     }
     place_parts(totals_);

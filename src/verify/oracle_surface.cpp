@@ -12,7 +12,7 @@
 namespace tessera::verify {
 namespace {
 
-constexpr std::size_t patches_per_run = 256;
+constexpr std::size_t patches_per_draw = 256;
 
 using DoubleTriple = std::array<double, 3>;
 
@@ -154,8 +154,8 @@ SurfaceComparison compare_surface(FixedFunctionTessellator& stage, const gpu::De
     }
     const CapturedSurface surface{options.scheme, options.normals, options.alpha};
     SurfaceComparison result;
-    for (std::size_t first = 0; first < patches.patch_count(); first += patches_per_run) {
-        const std::size_t count = std::min<std::size_t>(patches_per_run, patches.patch_count() - first);
+    for (std::size_t first = 0; first < patches.patch_count(); first += patches_per_draw) {
+        const std::size_t count = std::min<std::size_t>(patches_per_draw, patches.patch_count() - first);
         const Slice slice(patches, options, first, count);
         const auto captured =
             stage.evaluate(surface, options.partitioning, slice.factors, slice.patches.control_vertices);

@@ -22,7 +22,7 @@ dvec3 widen(Vector v) {
     return {v.x, v.y, v.z};
 }
 
-bool same_bits(Vector a, Vector b) {
+bool equal_bits(Vector a, Vector b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
@@ -100,7 +100,7 @@ TEST(Tags, SharpEdgesAreStraight) {
         VertexTags tags{};
         tags.normal = test::random_unit(random);
         const Vector third = add(c.p0, scale(subtract(c.p1, c.p0), ONE_THIRD));
-        EXPECT_TRUE(same_bits(stpn_edge_point(c.p0, corner_tags(c.n0, 1.0f), tags, c.p1, 1.0f), third));
+        EXPECT_TRUE(equal_bits(stpn_edge_point(c.p0, corner_tags(c.n0, 1.0f), tags, c.p1, 1.0f), third));
         tags.sharpness = 1.0f;  // a corner: every edge leaves straight
         EXPECT_LT(glm::distance(widen(stpn_edge_point(c.p0, corner_tags(c.n0, 0.0f), tags, c.p1, 0.0f)), widen(third)),
                   1e-6);
@@ -125,11 +125,11 @@ TEST(Tags, EdgesHaveTheSameBitsFromEitherPatch) {
             stpn_net(left, corner_tags(one.n0, s), corner_tags(one.n1, 0.3f), corner_tags(one.n2, 0.7f), a, b, other);
         const PnNet r =
             stpn_net(right, corner_tags(nb, s), corner_tags(na, 0.0f), corner_tags(two.n2, 0.1f), b, a, other);
-        ASSERT_TRUE(same_bits(l.c01, r.c10) && same_bits(l.c10, r.c01)) << seed;
+        ASSERT_TRUE(equal_bits(l.c01, r.c10) && equal_bits(l.c10, r.c01)) << seed;
         const QuadCorners q{one.p1, one.p0, two.p2, two.p1, nb, na, two.n2, two.n1};
         const PnQuadNet quad = stpn_quad_net(q, corner_tags(nb, s), corner_tags(na, 0.0f), corner_tags(two.n2, 0.1f),
                                              corner_tags(two.n1, 0.9f), b, a, other, other);
-        ASSERT_TRUE(same_bits(l.c01, quad.c10) && same_bits(l.c10, quad.c01)) << seed;
+        ASSERT_TRUE(equal_bits(l.c01, quad.c10) && equal_bits(l.c10, quad.c01)) << seed;
     }
 }
 
@@ -155,7 +155,7 @@ TEST(Tags, PhongBlendsEachCornersProjectionByItsAlpha) {
             }
         }
         const PhongNet turned = phong_net({c.p1, c.p0, c.p2, c.n1, c.n0, c.n2}, alpha[1], alpha[0], 0.5f);
-        ASSERT_TRUE(same_bits(net.c01, turned.c01));
+        ASSERT_TRUE(equal_bits(net.c01, turned.c01));
     }
 }
 

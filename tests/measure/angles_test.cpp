@@ -6,21 +6,18 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
-#include <numbers>
 
 namespace tessera {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(Angles, BetweenKnownVectors) {
     const float x[3] = {1, 0, 0};
     const float y[3] = {0, 3, 0};
     const float diagonal[3] = {1, 1, 0};
     const float back[3] = {-2, 0, 0};
-    EXPECT_DOUBLE_EQ(measure::angle_between(x, y), 90 * degree);
-    EXPECT_DOUBLE_EQ(measure::angle_between(x, diagonal), 45 * degree);
-    EXPECT_DOUBLE_EQ(measure::angle_between(x, back), 180 * degree);
+    EXPECT_DOUBLE_EQ(measure::angle_between(x, y), 90 * test::degree);
+    EXPECT_DOUBLE_EQ(measure::angle_between(x, diagonal), 45 * test::degree);
+    EXPECT_DOUBLE_EQ(measure::angle_between(x, back), 180 * test::degree);
     EXPECT_EQ(measure::angle_between(diagonal, diagonal), 0.0);
     const float little[3] = {1, 1e-6f, 0};  // the cosine of this angle is 1 in single precision
     EXPECT_NEAR(measure::angle_between(x, little), 1e-6, 1e-12);
@@ -63,8 +60,8 @@ TEST(Angles, OfLeaningNormalsAreTheirLean) {
     const auto linear = test::make_surface(plane, options, 5);
     options.normals = Normals::surface;
     const measure::AngleStatistics angles = measure::normal_angles(test::make_surface(plane, options, 5), linear);
-    EXPECT_NEAR(angles.mean, 30 * degree, 1e-6);
-    EXPECT_NEAR(angles.max, 30 * degree, 1e-6);
+    EXPECT_NEAR(angles.mean, 30 * test::degree, 1e-6);
+    EXPECT_NEAR(angles.max, 30 * test::degree, 1e-6);
 }
 
 // On a fine sphere all normals are nearly those of the sphere, on a coarse one less so.

@@ -3,12 +3,9 @@
 #include "surfaces.hpp"
 
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace tessera {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(PatchEdges, OfAClosedShapeAreAllSharedByTwo) {
     const measure::PatchEdges torus = measure::find_edges(test::load_patches("shape:torus"));
@@ -61,15 +58,15 @@ TEST(PatchEdges, PointsGoFromCornerToCorner) {
 // normals do not turn at all.
 TEST(Discontinuity, OfAFoldIsItsAngle) {
     for (const double turn : {0.0, 20.0, 75.0}) {
-        const patches::PatchSet fold = test::folded_sheet(turn * degree, false);
+        const patches::PatchSet fold = test::folded_sheet(turn * test::degree, false);
         const measure::PatchEdges edges = measure::find_edges(fold);
         TessellationOptions options;
         options.scheme = Scheme::linear;
         options.normals = Normals::surface;
         const auto angles = measure::discontinuity(test::make_surface(fold, options, 5), edges);
         EXPECT_EQ(angles.count, 3u * 6);
-        EXPECT_NEAR(angles.max, turn * degree, 1e-6);
-        EXPECT_NEAR(angles.mean, turn * degree / 3, 1e-6);
+        EXPECT_NEAR(angles.max, turn * test::degree, 1e-6);
+        EXPECT_NEAR(angles.mean, turn * test::degree / 3, 1e-6);
         for (const Normals normals : {Normals::linear, Normals::quadratic}) {
             options.normals = normals;
             EXPECT_EQ(measure::discontinuity(test::make_surface(fold, options, 5), edges).max, 0.0);
@@ -87,7 +84,7 @@ TEST(Discontinuity, SplitEdgesDoNotCount) {
 }
 
 TEST(Discontinuity, QuadsAndTrianglesMeet) {
-    patches::PatchSet sheet = test::folded_sheet(30 * degree, false);
+    patches::PatchSet sheet = test::folded_sheet(30 * test::degree, false);
     sheet.corners = {{0, 1, 2, 3}, {6, 4, 5, patches::no_corner}, {6, 5, 7, patches::no_corner}};
     sheet.has_quads = true;
     for (patches::PatchRange& range : sheet.ranges)
@@ -97,7 +94,7 @@ TEST(Discontinuity, QuadsAndTrianglesMeet) {
     options.normals = Normals::surface;
     const auto angles = measure::discontinuity(test::make_surface(sheet, options, 3), measure::find_edges(sheet));
     EXPECT_EQ(angles.count, 2u * 4);
-    EXPECT_NEAR(angles.max, 30 * degree, 1e-6);
+    EXPECT_NEAR(angles.max, 30 * test::degree, 1e-6);
 }
 
 TEST(Discontinuity, SharedNormalsOfSchemesAreContinuousBitByBit) {
@@ -111,7 +108,7 @@ TEST(Discontinuity, SharedNormalsOfSchemesAreContinuousBitByBit) {
             EXPECT_EQ(measure::discontinuity(test::make_surface(torus, options, 7), edges).max, 0.0);
         }
         options.normals = Normals::surface;
-        EXPECT_GT(measure::discontinuity(test::make_surface(torus, options, 7), edges).max, 1 * degree);
+        EXPECT_GT(measure::discontinuity(test::make_surface(torus, options, 7), edges).max, 1 * test::degree);
     }
 }
 

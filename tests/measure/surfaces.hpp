@@ -3,9 +3,12 @@
 
 #include "measure/patch_surface.hpp"
 
+#include <numbers>
 #include <string>
 
 namespace tessera::test {
+
+inline constexpr double degree = std::numbers::pi / 180.0;  ///< in radians
 
 /// A loaded model or shape as patches.
 patches::PatchSet load_patches(const std::string& name);

@@ -14,7 +14,7 @@ const std::string sample =
     "f 1/1/1 2/2/2 3/1/-1 4\nf -1//1 -2//2 -3//1 \\\n-4 -5//2 -6\ns off\nf 1 2 3\nf 5/1 6/2 7/-1 8 9\n"
     "l 1 2\nt crease 2/1/0 0 1 2.5\nt corner 1/1/0 2 1\nt hole 1/0/0 3\nt interpolateboundary 1/0/0 1\n";
 
-class Damaged {
+class DamagedText {
 public:
     void expect_load_or_error(const std::string& text) {
         const auto path = folder_.write("model.obj", text).string();
@@ -37,7 +37,7 @@ private:
 };
 
 TEST(ObjFuzz, TruncatedTextLoadsOrIsRefused) {
-    Damaged damaged;
+    DamagedText damaged;
     for (std::size_t size = 0; size <= sample.size(); ++size)
         damaged.expect_load_or_error(sample.substr(0, size));
     EXPECT_GT(damaged.loaded, 500);
@@ -46,7 +46,7 @@ TEST(ObjFuzz, TruncatedTextLoadsOrIsRefused) {
 
 TEST(ObjFuzz, FlippedBytesLoadOrAreRefused) {
     std::mt19937 random(1);
-    Damaged damaged;
+    DamagedText damaged;
     for (int round = 0; round < 800; ++round) {
         std::string text = sample;
         for (int flips = 1 + static_cast<int>(random() % 4); flips > 0; --flips)
@@ -58,7 +58,7 @@ TEST(ObjFuzz, FlippedBytesLoadOrAreRefused) {
 }
 
 TEST(ObjFuzz, ChangedCharactersLoadOrAreRefused) {
-    Damaged damaged;
+    DamagedText damaged;
     for (std::size_t at = 0; at < sample.size(); at += 3) {
         for (const char c : std::string("09-/ \n\\#")) {
             std::string text = sample;
@@ -76,7 +76,7 @@ TEST(ObjFuzz, LinesOfTheFormatInAnyOrderLoadOrAreRefused) {
     for (std::size_t end; (end = sample.find('\n', from)) != std::string::npos; from = end + 1)
         lines.push_back(sample.substr(from, end + 1 - from));
     std::mt19937 random(2);
-    Damaged damaged;
+    DamagedText damaged;
     for (int round = 0; round < 500; ++round) {
         std::string text = mixed_cube + "vt 0 0\nvt 0 0\nvn 0 1 0\nvn 1 0 0\n";
         for (int i = 0; i < 30; ++i)
@@ -104,7 +104,7 @@ RC_GTEST_PROP(ObjFuzz, RandomFacesLoad, ()) {
             text.append(" ").append(std::to_string(corner));
         text += "\n";
     }
-    Damaged damaged;
+    DamagedText damaged;
     damaged.expect_load_or_error(text);
     RC_ASSERT(damaged.loaded == 2);
 }

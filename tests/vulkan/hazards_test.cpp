@@ -11,7 +11,7 @@
 namespace tessera::backends::vulkan {
 namespace {
 
-bool next(Hazards& hazards, std::vector<Access> accesses) {
+bool next(Hazards& hazards, std::vector<BufferAccess> accesses) {
     return hazards.next_command(accesses);
 }
 
@@ -43,7 +43,7 @@ RC_GTEST_PROP(VulkanHazards, BarriersAreEnoughAndNeeded, ()) {
     for (int i = 0; i < count; ++i) {
         const auto target = *rc::gen::inRange<std::size_t>(0, buffers.size());
         const auto source = *rc::gen::inRange<std::size_t>(0, buffers.size());
-        std::vector<Access> accesses = {{&buffers[target], true}};
+        std::vector<BufferAccess> accesses = {{&buffers[target], true}};
         if (source != target) accesses.push_back({&buffers[source], false});
         const bool needed = written.contains(target) || read.contains(target) || written.contains(source);
         RC_ASSERT(hazards.next_command(accesses) == needed);
