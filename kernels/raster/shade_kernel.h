@@ -73,7 +73,6 @@ KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint,
                 SHADE_CORNERS(p, triangle, x, y)
                 SHADE_SURFACE(colour, p, (seen & VISIBLE_BACK) != 0u, x, y)
                 if (p.wires != 0u) {
-                    SHADE_STEPS(p, x, y)
                     colour = wires_over(colour, beside_edges(weights, across, down));
                 }
                 colour.alpha = 1.0f;

@@ -3,7 +3,6 @@
 #define SHADE_NAME raster_shade_pbr
 #define SHADE_SURFACE(colour, p, back, x, y) \
     SHADE_INSIDE                             \
-    SHADE_STEPS(p, x, y)                     \
     SHADE_NORMAL(p, back)                    \
     SHADE_PBR(colour, p, back)
 #include "raster/shade_kernel.h"

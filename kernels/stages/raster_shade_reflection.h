@@ -3,7 +3,6 @@
 #define SHADE_SURFACE(colour, p, back, x, y) \
     SHADE_INSIDE                             \
     if (p.texture_levels != 0u) {            \
-        SHADE_STEPS(p, x, y)                 \
         SHADE_TEXTURE(p)                     \
     }                                        \
     SHADE_NORMAL(p, back)                    \
