@@ -26,6 +26,14 @@ STRUCT(Weights) {
     float c;
 };
 
+FUNCTION Weights make_weights(float a, float b, float c) {
+    Weights w;
+    w.a = a;
+    w.b = b;
+    w.c = c;
+    return w;
+}
+
 /// Texture coordinates that mean something; others are 0.
 FUNCTION float sane_coordinate(float x) {
     return choose(is_below(x, 147u), flush_tiny(x), 0.0f);

@@ -87,6 +87,16 @@ FUNCTION float beside_edges(Weights w, Weights across, Weights down) {
     return (t * t) * (3.0f - 2.0f * t);
 }
 
+/// An opaque colour.
+FUNCTION Colour make_colour(float red, float green, float blue) {
+    Colour c;
+    c.red = red;
+    c.green = green;
+    c.blue = blue;
+    c.alpha = 1.0f;
+    return c;
+}
+
 /// Dark lines on a light fill.
 FUNCTION Colour wire_colour(Weights w, Weights across, Weights down, float alpha) {
     const float s = beside_edges(w, across, down);
