@@ -6,9 +6,11 @@
 #include "support/manifest.hpp"
 #include "verify/compare_pictures.hpp"
 #include "verify/compare_rasterisers.hpp"
+#include "verify/picture_edges.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 namespace tessera {
@@ -150,6 +152,27 @@ std::vector<std::string> models_with_one_picture() {
 INSTANTIATE_TEST_SUITE_P(Shared, OwnPicture, testing::ValuesIn(models_with_one_picture()),
                          [](const auto& info) { return test::file_test_name(info.param); });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(OwnPicture);
+
+TEST(Edges, AreWhereACubeHasThem) {
+    const Model model("shape:cube");
+    const gpu::Device device = test::open_device("reference");
+    const verify::PictureSubject subject = model.subject(Scheme::linear);
+    render::Frame frame;
+    frame.width = frame.height = 100;
+    frame.camera = verify::fit_camera(device, subject, 1.0f);
+    const auto portable = raster::open_portable(device);
+    const std::vector<bool> edges = verify::find_edges(device, subject, *portable, frame);
+    const image::Image picture = verify::draw_picture(device, subject, *portable, frame);
+    ASSERT_EQ(edges.size(), 10'000u);
+    EXPECT_FALSE(edges[0]);
+    for (std::size_t at = 0; at + 1 < edges.size(); ++at) {
+        const bool begins = std::abs(picture.rgba[at * 4] - picture.rgba[at * 4 + 4]) > 20;
+        EXPECT_TRUE(!begins || (edges[at] && edges[at + 1])) << at;
+    }
+    const auto marked = std::ranges::count(edges, true);
+    EXPECT_GT(marked, 500);
+    EXPECT_LT(marked, 2500);
+}
 
 INSTANTIATE_TEST_SUITE_P(Shared, Picture, testing::ValuesIn(test::loadable_models()),
                          [](const auto& info) { return test::file_test_name(info.param); });
