@@ -22,7 +22,7 @@ render:             base image scene tessellate
 views:              base kernels gpu image patches scene tessellate render
 raster:             base kernels gpu image scene tessellate render
 measure:            base gpu image patches scene tessellate render
-verify:             base gpu patches tessellate
+verify:             base gpu image compare patches scene tessellate render raster
 bench:              base kernels gpu image patches scene tessellate render
 backends:           base gpu render verify bench
 backends/reference: base kernels gpu backends

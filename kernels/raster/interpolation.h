@@ -26,6 +26,14 @@ STRUCT(Weights) {
     float c;
 };
 
+FUNCTION Weights make_weights(float a, float b, float c) {
+    Weights w;
+    w.a = a;
+    w.b = b;
+    w.c = c;
+    return w;
+}
+
 /// Texture coordinates that mean something; others are 0.
 FUNCTION float sane_coordinate(float x) {
     return choose(is_below(x, 147u), flush_tiny(x), 0.0f);
@@ -101,28 +109,44 @@ FUNCTION Weights weights_at(ClipPoint a, ClipPoint b, ClipPoint c, float x, floa
     return w;
 }
 
-/// The point of the triangle for weights that may lie outside it: negative ones become zero. A pixel that a triangle
-/// covers only beside its middle gets a value that the triangle has.
-FUNCTION Weights weights_inside(Weights w) {
-    const float a = at_least(w.a, 0.0f);
-    const float b = at_least(w.b, 0.0f);
-    const float c = at_least(w.c, 0.0f);
-    const float sum = (a + b) + c;
-    const bool some = sum > 0.0f;
-    const float r = choose(some, chosen_reciprocal(choose(some, sum, 1.0f)), 0.0f);
-    Weights inside;
-    inside.a = choose(some, bounded_weight(a * r), 1.0f);
-    inside.b = bounded_weight(b * r);
-    inside.c = bounded_weight(c * r);
-    return inside;
-}
-
 FUNCTION Weights subtract_weights(Weights v, Weights w) {
     Weights d;
     d.a = bounded_weight(v.a - w.a);
     d.b = bounded_weight(v.b - w.b);
     d.c = bounded_weight(v.c - w.c);
     return d;
+}
+
+FUNCTION float product_of_steps(float across_a, float across_b, float down_a, float down_b) {
+    return flush_tiny(across_a * across_b + down_a * down_b);
+}
+
+/// The point of the triangle that is nearest to weights that may lie outside it, in pixels: they are moved to the edge
+/// that they lie beyond, at right angles on the screen, and what is negative then becomes zero. `across` and `down` are
+/// their changes to the neighbours of a pixel. (Without the move, points beside needles would slide along them.) A
+/// pixel that a triangle covers only beside its middle gets a value that the triangle has there.
+FUNCTION Weights weights_inside(Weights w, Weights across, Weights down) {
+    const float least = at_most(at_most(w.a, w.b), w.c);
+    const bool is_a = w.a == least;
+    const bool is_b = w.b == least;
+    const float step_x = choose(is_a, across.a, choose(is_b, across.b, across.c));
+    const float step_y = choose(is_a, down.a, choose(is_b, down.b, down.c));
+    const float squared = product_of_steps(step_x, step_x, step_y, step_y);
+    // A covered pixel is less than two pixels away: what seems farther is an accident of rounding. NaN is not nearer.
+    const uint near = choose_bits(least < 0.0f, 1u, 0u) & choose_bits(least * least < 4.0f * squared, 1u, 0u);
+    const float r = chosen_reciprocal(choose(near != 0u, squared, 1.0f));
+    const float way = choose(near != 0u, flush_tiny(least * r), 0.0f);
+    const float a = at_least(w.a - way * product_of_steps(across.a, step_x, down.a, step_y), 0.0f);
+    const float b = at_least(w.b - way * product_of_steps(across.b, step_x, down.b, step_y), 0.0f);
+    const float c = at_least(w.c - way * product_of_steps(across.c, step_x, down.c, step_y), 0.0f);
+    const float sum = (a + b) + c;
+    const bool some = sum > 0.0f;
+    const float scale = choose(some, chosen_reciprocal(choose(some, sum, 1.0f)), 0.0f);
+    Weights inside;
+    inside.a = choose(some, bounded_weight(a * scale), 1.0f);
+    inside.b = bounded_weight(b * scale);
+    inside.c = bounded_weight(c * scale);
+    return inside;
 }
 
 /// Weights at the middle of pixel (x, y) of the image.

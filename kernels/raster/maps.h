@@ -104,7 +104,7 @@ KERNELS_END
         colour.alpha = colour.alpha + (weight) * (to_float(texel >> 24u) * 0.0039215688593685627f); \
     }
 
-// A step of shading (shading.h), after SHADE_INSIDE and SHADE_STEPS: declares `surface`.
+// A step of shading (shading.h), after SHADE_INSIDE: declares `surface`.
 #define SHADE_MAPS(p)                                                                                          \
     Surface surface;                                                                                           \
     surface.base = base;                                                                                       \

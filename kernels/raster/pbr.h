@@ -198,7 +198,6 @@ KERNELS_END
         SHADE_CORNERS(p, triangle, px, py)                                    \
         SHADE_INSIDE                                                          \
         SHADE_VERTEX_COLOUR(p, triangle)                                      \
-        SHADE_STEPS(p, px, py)                                                \
         SHADE_MAPS(p)                                                         \
         base = surface.base;                                                  \
         dropped = base.alpha < p.cutoff;                                      \

@@ -59,6 +59,10 @@ KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint,
             uint run_seen[RUN];  // compilers lose sight of arrays in the middle
             uint run_pixels[RUN];
             uint run_codes[RUN];
+            float red[RUN];
+            float green[RUN];
+            float blue[RUN];
+            float beside[RUN * 9u];  // weights and their steps, for wires
             for (uint k = 0u; k < RUN; ++k) {
                 run_seen[k] = seen_by[run + k];
                 run_pixels[k] = pixel_of[run + k];
@@ -72,11 +76,34 @@ KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint,
                 Colour colour;
                 SHADE_CORNERS(p, triangle, x, y)
                 SHADE_SURFACE(colour, p, (seen & VISIBLE_BACK) != 0u, x, y)
-                if (p.wires != 0u) {
-                    SHADE_STEPS(p, x, y)
-                    colour = wires_over(colour, beside_edges(weights, across, down));
+                red[k] = colour.red;
+                green[k] = colour.green;
+                blue[k] = colour.blue;
+                beside[k] = weights.a;
+                beside[RUN + k] = weights.b;
+                beside[2u * RUN + k] = weights.c;
+                beside[3u * RUN + k] = across.a;
+                beside[4u * RUN + k] = across.b;
+                beside[5u * RUN + k] = across.c;
+                beside[6u * RUN + k] = down.a;
+                beside[7u * RUN + k] = down.b;
+                beside[8u * RUN + k] = down.c;
+            }
+            if (p.wires != 0u) {  // not in the loop above, which would not become vector code any more
+                FOR_RUN(k) {
+                    const Colour colour = make_colour(red[k], green[k], blue[k]);
+                    const Weights weights = make_weights(beside[k], beside[RUN + k], beside[2u * RUN + k]);
+                    const Weights across =
+                        make_weights(beside[3u * RUN + k], beside[4u * RUN + k], beside[5u * RUN + k]);
+                    const Weights down = make_weights(beside[6u * RUN + k], beside[7u * RUN + k], beside[8u * RUN + k]);
+                    const Colour wired = wires_over(colour, beside_edges(weights, across, down));
+                    red[k] = wired.red;
+                    green[k] = wired.green;
+                    blue[k] = wired.blue;
                 }
-                colour.alpha = 1.0f;
+            }
+            FOR_RUN(k) {
+                const Colour colour = make_colour(red[k], green[k], blue[k]);
                 run_codes[k] = PACK_COLOUR(texels, colour);
             }
             for (uint k = 0u; k < RUN; ++k) {

@@ -100,6 +100,16 @@ FUNCTION float beside_edges(Weights w, Weights across, Weights down) {
     return (t * t) * (3.0f - 2.0f * t);
 }
 
+/// An opaque colour.
+FUNCTION Colour make_colour(float red, float green, float blue) {
+    Colour c;
+    c.red = red;
+    c.green = green;
+    c.blue = blue;
+    c.alpha = 1.0f;
+    return c;
+}
+
 /// Dark lines on a light fill.
 FUNCTION Colour wire_colour(Weights w, Weights across, Weights down, float alpha) {
     const float s = beside_edges(w, across, down);
@@ -129,18 +139,20 @@ KERNELS_END
 
 // The steps of shading a triangle in the pixel (px, py) of the image, as macros because they read the buffers vertices,
 // indices and texels. Each declares what later ones use.
-#define SHADE_CORNERS(p, triangle, px, py)                         \
-    const Corner ca = LOAD_CORNER(p, indices[(triangle)*3u]);      \
-    const Corner cb = LOAD_CORNER(p, indices[(triangle)*3u + 1u]); \
-    const Corner cc = LOAD_CORNER(p, indices[(triangle)*3u + 2u]); \
-    const Weights weights = pixel_weights(p, ca, cb, cc, px, py);  \
-    Colour base;                                                   \
-    base.red = p.red;                                              \
-    base.green = p.green;                                          \
-    base.blue = p.blue;                                            \
+#define SHADE_CORNERS(p, triangle, px, py)                                                         \
+    const Corner ca = LOAD_CORNER(p, indices[(triangle)*3u]);                                      \
+    const Corner cb = LOAD_CORNER(p, indices[(triangle)*3u + 1u]);                                 \
+    const Corner cc = LOAD_CORNER(p, indices[(triangle)*3u + 2u]);                                 \
+    const Weights weights = pixel_weights(p, ca, cb, cc, px, py);                                  \
+    const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
+    const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);   \
+    Colour base;                                                                                   \
+    base.red = p.red;                                                                              \
+    base.green = p.green;                                                                          \
+    base.blue = p.blue;                                                                            \
     base.alpha = p.alpha;
 
-#define SHADE_INSIDE const Weights inside = weights_inside(weights);
+#define SHADE_INSIDE const Weights inside = weights_inside(weights, across, down);
 
 // Multiplies `base` by the colours of the vertices.
 #define VERTEX_ATTRIBUTES(p, vertex) ((p).attributes_at + (vertex) * (p).attribute_stride)
@@ -158,10 +170,6 @@ KERNELS_END
         base.blue = flush_tiny(base.blue) * blue_share;                                                                \
         base.alpha = flush_tiny(base.alpha) * alpha_share;                                                             \
     }
-
-#define SHADE_STEPS(p, px, py)                                                                     \
-    const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
-    const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);
 
 // Multiplies `base` by the texture. The next level is read even where it has no weight: a branch would cost more.
 #define SHADE_TEXTURE(p)                                                             \
@@ -225,7 +233,6 @@ KERNELS_END
         SHADE_CORNERS(p, triangle, px, py)                                    \
         SHADE_INSIDE                                                          \
         SHADE_VERTEX_COLOUR(p, triangle)                                      \
-        SHADE_STEPS(p, px, py)                                                \
         if (p.texture_levels != 0u) {                                         \
             SHADE_TEXTURE(p)                                                  \
         }                                                                     \

@@ -76,17 +76,40 @@ FUNCTION RasterTriangle make_raster_triangle(ScreenPoint a, ScreenPoint b, Scree
     return t;
 }
 
-/// Whether the sample at (x, y), sub-pixels from the middle of the image, is covered.
-FUNCTION bool covers(RasterTriangle t, int x, int y) {
+/// 1 where the sample at (x, y), sub-pixels from the middle of the image, is covered, else 0.
+FUNCTION uint coverage(RasterTriangle t, int x, int y) {
     const int px = x - t.x0;
     const int py = y - t.y0;
-    const int qx = px - t.dx1;
-    const int qy = py - t.dy1;
     const int ex = t.dx2 - t.dx1;
     const int ey = t.dy2 - t.dy1;
-    return cross_sign(t.dx1, t.dy1, px, py) >= edge_least(t.dx1, t.dy1) &&
-           cross_sign(ex, ey, qx, qy) >= edge_least(ex, ey) &&
-           cross_sign(-t.dx2, -t.dy2, px, py) >= edge_least(-t.dx2, -t.dy2);
+    return (choose_bits(cross_sign(t.dx1, t.dy1, px, py) >= edge_least(t.dx1, t.dy1), 1u, 0u) &
+            choose_bits(cross_sign(ex, ey, px - t.dx1, py - t.dy1) >= edge_least(ex, ey), 1u, 0u)) &
+           choose_bits(cross_sign(-t.dx2, -t.dy2, px, py) >= edge_least(-t.dx2, -t.dy2), 1u, 0u);
+}
+
+FUNCTION bool covers(RasterTriangle t, int x, int y) {
+    return coverage(t, x, y) != 0u;
+}
+
+STRUCT(SampleBox) {
+    int left;
+    int right;
+    int top;
+    int bottom;
+};
+
+/// 1 where an edge through (x, y) has all of the box outside.
+FUNCTION uint edge_excludes(int dx, int dy, int x, int y, SampleBox box) {
+    const int innermost_x = to_int(choose_bits(dy > 0, to_uint(box.left), to_uint(box.right)));
+    const int innermost_y = to_int(choose_bits(dx > 0, to_uint(box.bottom), to_uint(box.top)));
+    return choose_bits(cross_sign(dx, dy, innermost_x - x, innermost_y - y) >= edge_least(dx, dy), 0u, 1u);
+}
+
+/// Whether the triangle covers no sample of a box, as far as each edge tells alone.
+FUNCTION bool misses(RasterTriangle t, SampleBox box) {
+    const uint first = edge_excludes(t.dx1, t.dy1, t.x0, t.y0, box);
+    const uint second = edge_excludes(t.dx2 - t.dx1, t.dy2 - t.dy1, t.x0 + t.dx1, t.y0 + t.dy1, box);
+    return ((first | second) | edge_excludes(-t.dx2, -t.dy2, t.x0, t.y0, box)) != 0u;
 }
 
 /// Depth at a covered sample. Kept between the corners' depths, for slopes of slivers are inexact.

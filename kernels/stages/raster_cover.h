@@ -89,13 +89,18 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                 }
             }
         } else {
+            SampleBox box;
+            box.left = origin_x + (first_column << unit_log2);
+            box.right = origin_x + (last_column << unit_log2);
+            box.top = origin_y + (first_row << unit_log2);
+            box.bottom = origin_y + (last_row << unit_log2);
             const uint polygon = p.polygons_at + triangle * POLYGON_WORDS;
             const uint corners = records[polygon];
             for (uint corner = 2u; corner < corners; ++corner) {
                 const RasterTriangle t = make_raster_triangle(LOAD_POLYGON_CORNER(records, polygon, 0u),
                                                               LOAD_POLYGON_CORNER(records, polygon, corner - 1u),
                                                               LOAD_POLYGON_CORNER(records, polygon, corner), p.cull);
-                if (!t.drawn) {
+                if (!t.drawn || misses(t, box)) {
                     continue;
                 }
                 const uint seen = triangle | ((t.flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
@@ -104,6 +109,32 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                     const int first_x = (first_column - in_pixel + axis_mask) >> p.axis_log2;
                     const int last_x = (last_column - in_pixel) >> p.axis_log2;
                     const int sy = origin_y + (row << unit_log2);
+                    if (RUN > 1u) {  // as above
+                        const uint row_at = sample_index(p, part.tile, 0, row);
+                        const int row_x = origin_x + ((part.first_column + in_pixel) << unit_log2);
+                        const int step = 1 << RASTER_SUBPIXELS_LOG2;
+                        for (uint from = 0u; from < RASTER_TILE; from = from + RUN) {
+                            uint nearest[RUN];
+                            uint nearest_seen[RUN];
+                            FOR_RUN(k) {
+                                const int sx = row_x + to_int(from + k) * step;
+                                const float z = depth_at(t, sx, sy);
+                                const uint there = depths[row_at + from + k];
+                                const uint seen_there = visible[row_at + from + k];
+                                const uint hit = (coverage(t, sx, sy) & choose_bits(z >= 0.0f, 1u, 0u)) &
+                                                 choose_bits(z < bits_float(there), 1u, 0u);
+                                nearest[k] = choose_bits(hit != 0u, float_bits(z), there);
+                                nearest_seen[k] = choose_bits(hit != 0u, seen, seen_there);
+                            }
+                            for (uint k = 0u; k < RUN; ++k) {
+                                depths[row_at + from + k] = nearest[k];
+                            }
+                            for (uint k = 0u; k < RUN; ++k) {
+                                visible[row_at + from + k] = nearest_seen[k];
+                            }
+                        }
+                        continue;
+                    }
                     for (int x = first_x; x <= last_x; ++x) {
                         const int sx = origin_x + (((x << p.axis_log2) + in_pixel) << unit_log2);
                         if (covers(t, sx, sy)) {

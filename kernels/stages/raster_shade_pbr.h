@@ -4,7 +4,6 @@
 #define SHADE_SURFACE(colour, p, back, x, y) \
     SHADE_INSIDE                             \
     SHADE_VERTEX_COLOUR(p, triangle)         \
-    SHADE_STEPS(p, x, y)                     \
     SHADE_NORMAL(p, back)                    \
     SHADE_TANGENT(p, triangle, back)         \
     SHADE_PBR(colour, p)

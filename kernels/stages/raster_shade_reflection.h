@@ -4,7 +4,6 @@
     SHADE_INSIDE                             \
     SHADE_VERTEX_COLOUR(p, triangle)         \
     if (p.texture_levels != 0u) {            \
-        SHADE_STEPS(p, x, y)                 \
         SHADE_TEXTURE(p)                     \
     }                                        \
     SHADE_NORMAL(p, back)                    \

@@ -2,7 +2,6 @@
 #define SHADE_NAME raster_shade_textured
 #define SHADE_SURFACE(colour, p, back, x, y) \
     SHADE_INSIDE                             \
-    SHADE_STEPS(p, x, y)                     \
     SHADE_TEXTURE(p)                         \
     SHADE_NORMAL(p, back)                    \
     SHADE_PHONG(colour, p)

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/command_verify_oracle.hpp"
+#include "cli/command_verify_pictures.hpp"
 #include "cli/hair_words.hpp"
 #include "cli/job_options.hpp"
 #include "cli/load.hpp"
@@ -29,6 +30,8 @@ struct VerifyWords {
     bool json = false;
     bool markdown = false;
     std::string oracle;
+    bool pictures = false;
+    std::uint32_t pixels = 256;  // to a side of a picture
 };
 
 // The reference first, then what was asked for or everything found. A required backend that is missing fails.
@@ -224,6 +227,17 @@ std::vector<HairOptions> hair_variants(const VerifyWords& words, const patches::
     return list;
 }
 
+// With --all every scheme once: what else tells jobs apart shows in buffers.
+std::vector<JobWords> picture_jobs(const Words& words) {
+    if (!words.all) return {words.job};
+    std::vector<JobWords> list;
+    for (const char* scheme : {"linear", "phong", "pn", "stpn"}) {
+        list.push_back(words.job);
+        list.back().scheme = scheme;
+    }
+    return list;
+}
+
 // What all comparisons together say.
 struct Report {
     const VerifyWords& words;
@@ -260,6 +274,10 @@ int run(const Context& context, const VerifyWords& words) {
         return verify_with_oracle(context, {words.inputs, devices, words.load, variants(words), words.all, words.json});
     }
     const std::vector<gpu::Device> devices = open_devices(context, words);
+    if (words.pictures) {
+        return verify_pictures(
+            context, {words.inputs, devices, words.load, words.hair, picture_jobs(words), words.pixels, words.json});
+    }
     Report report{words, Json::array(), {}};
     for (const std::string& input : words.inputs) {
         const scene::Scene scene = load(context, input, words.load, true);  // tangents of normal maps are compared too
@@ -315,9 +333,22 @@ void add_verify_command(CLI::App& app, Context& context) {
             "stage of the first device that has one")
         ->check(CLI::IsMember({"fixed-function"}))
         ->excludes(required, markdown);
+    CLI::Option* pictures =
+        command
+            ->add_flag(
+                "--pictures", words->pictures,
+                "Instead compare pictures bit by bit: tessellated and drawn on every device by kernels, with the "
+                "model's materials, 1 and 4 samples per pixel; and tell how close the devices' own rasterisers "
+                "come. With --all every scheme")
+            ->excludes(markdown)
+            ->excludes("--oracle");
+    command->add_option("--pixels", words->pixels, "Width and height of the pictures")
+        ->needs(pictures)
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
     add_load_options(*command, words->load);
     add_job_options(*command, words->job);
-    add_tangents_option(*command, words->job)->excludes("--oracle");
+    add_tangents_option(*command, words->job)->excludes("--oracle")->excludes(pictures);
     add_hair_options(*command, words->hair, "both, one after the other");
     command->callback([&context, words] { context.chosen = [&context, words] { return run(context, *words); }; });
 }

@@ -42,22 +42,35 @@ private:
     const image::Image& image_;
 };
 
+/// Whether a channel differs by more than the tolerance.
+bool is_over(const std::uint8_t* p, const std::uint8_t* q, int tolerance) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        if (std::abs(int{p[c]} - int{q[c]}) > tolerance) return true;
+    }
+    return false;
+}
+
+bool are_both_hidden(const std::uint8_t* p, const std::uint8_t* q) {
+    return p[3] == 0 && q[3] == 0;
+}
+
+/// Of pixels that are over the tolerance.
+bool is_unexplained(const Pixels& a, const Pixels& b, std::int64_t x, std::int64_t y, int tolerance) {
+    return !a.explain(b.at(x, y), x, y, tolerance) || !b.explain(a.at(x, y), x, y, tolerance);
+}
+
 void count_pixel(const Pixels& a, const Pixels& b, std::int64_t x, std::int64_t y, int tolerance, PixelCounts& counts) {
     const std::uint8_t* p = a.at(x, y);
     const std::uint8_t* q = b.at(x, y);
     if (std::memcmp(p, q, 4) == 0) return;
     counts.equal = false;
     ++counts.differing;
-    if (p[3] == 0 && q[3] == 0) return;
-    bool over = false;
-    for (std::size_t c = 0; c < 4; ++c) {
-        const int apart = std::abs(int{p[c]} - int{q[c]});
-        counts.max_difference[c] = std::max(counts.max_difference[c], apart);
-        over = over || apart > tolerance;
-    }
-    if (!over) return;
+    if (are_both_hidden(p, q)) return;
+    for (std::size_t c = 0; c < 4; ++c)
+        counts.max_difference[c] = std::max(counts.max_difference[c], std::abs(int{p[c]} - int{q[c]}));
+    if (!is_over(p, q, tolerance)) return;
     ++counts.over_tolerance;
-    if (!a.explain(q, x, y, tolerance) || !b.explain(p, x, y, tolerance)) ++counts.outliers;
+    if (is_unexplained(a, b, x, y, tolerance)) ++counts.outliers;
 }
 
 void add(PixelCounts& sum, const PixelCounts& counts) {
@@ -85,6 +98,20 @@ PixelCounts count_pixels(const image::Image& a, const image::Image& b, int toler
     for (const PixelCounts& part : parts)
         add(counts, part);
     return counts;
+}
+
+std::vector<bool> mark_outliers(const image::Image& a, const image::Image& b, int tolerance) {
+    const Pixels of_a(a);
+    const Pixels of_b(b);
+    std::vector<bool> marks(std::size_t{a.width} * a.height, false);
+    for (std::size_t at = 0; at < marks.size(); ++at) {
+        const auto x = static_cast<std::int64_t>(at % a.width);
+        const auto y = static_cast<std::int64_t>(at / a.width);
+        const std::uint8_t* p = of_a.at(x, y);
+        const std::uint8_t* q = of_b.at(x, y);
+        marks[at] = !are_both_hidden(p, q) && is_over(p, q, tolerance) && is_unexplained(of_a, of_b, x, y, tolerance);
+    }
+    return marks;
 }
 
 }  // namespace tessera::compare

@@ -4,6 +4,7 @@
 #include "image/image.hpp"
 
 #include <array>
+#include <vector>
 
 namespace tessera::compare {
 
@@ -21,5 +22,8 @@ struct PixelCounts {
 /// picture lies farther than the tolerance outside the range that the same channel of the other has in the 3 x 3 pixels
 /// around: an edge that moves by up to a pixel, or is smoothed in another way, makes none.
 PixelCounts count_pixels(const image::Image& a, const image::Image& b, int tolerance);
+
+/// Marks the outliers, row by row.
+std::vector<bool> mark_outliers(const image::Image& a, const image::Image& b, int tolerance);
 
 }  // namespace tessera::compare

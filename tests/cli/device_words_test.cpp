@@ -35,9 +35,10 @@ const std::vector<std::string> no_opencl{"OCL_ICD_VENDORS=/nonexistent"};
 TEST(MissingDevices, RenderingWorksWithoutThem) {
     const Folder folder;
     const auto render = [&](const std::string& name, const std::string& device,
-                            const std::vector<std::string>& environment) {
-        const Result result =
-            run({"render", "shape:torus", "-o", folder.file(name), "--device", device, "--size", "90x70"}, environment);
+                            const std::vector<std::string>& environment, const std::string& raster = "auto") {
+        const Result result = run({"render", "shape:torus", "-o", folder.file(name), "--device", device, "--size",
+                                   "90x70", "--raster", raster},
+                                  environment);
         EXPECT_EQ(result.code, 0) << name << ": " << result.errors;
         return read_file(folder.file(name));
     };
@@ -46,6 +47,7 @@ TEST(MissingDevices, RenderingWorksWithoutThem) {
     EXPECT_EQ(render("hidden.png", "reference", no_vulkan), reference);
     EXPECT_EQ(render("opencl.png", "opencl", no_vulkan), reference);
     EXPECT_FALSE(render("vulkan.png", "vulkan", no_opencl).empty());
+    EXPECT_EQ(render("portable.png", "vulkan", no_opencl, "portable"), reference);
 }
 
 TEST(Raster, IsChosenByWords) {

@@ -44,6 +44,10 @@ TEST(Outliers, ASinglePixelIsOneWhereverItIs) {
             EXPECT_EQ(counts.over_tolerance, 1u);
             EXPECT_EQ(counts.max_difference[channel], channel == 3 ? 75 : 80);
             EXPECT_EQ(count_pixels(other, grey, 10).outliers, 1u) << "symmetric";
+            std::vector<bool> marks(std::size_t{300} * 140, false);
+            EXPECT_EQ(mark_outliers(grey, other, 100), marks);
+            marks[std::size_t{y} * 300 + x] = true;
+            EXPECT_EQ(mark_outliers(grey, other, 10), marks);
         }
     }
 }

@@ -3,12 +3,12 @@
 #include "scene/scene.hpp"
 #include "support/devices.hpp"
 #include "support/environment.hpp"
+#include "support/manifest.hpp"
 #include "tessellate/edge_factors.hpp"
 #include "verify/compare_jobs.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <fstream>
 
 namespace tessera {
 namespace {
@@ -32,24 +32,10 @@ void expect_equal(const patches::PatchSet& set, const TessellationOptions& optio
     }
 }
 
-/// The glTF files that the MANIFEST of the shared models says can be loaded and that hold triangles.
-std::vector<std::string> loadable_models() {
-    const auto shared = test::shared_folder();
-    std::vector<std::string> files;
-    if (!shared) {
-        return files;
-    }
-    std::ifstream manifest(*shared / "models/MANIFEST.md");
-    for (std::string line; std::getline(manifest, line) && !line.starts_with("## Broken");) {
-        if (!line.starts_with("| `") || line.find("| load") == std::string::npos) {
-            continue;
-        }
-        const std::string file = line.substr(3, line.find('`', 3) - 3);
-        const bool gltf = file.ends_with(".gltf") || file.ends_with(".glb");
-        if (gltf && line.find("| 0 / 0 / 0 |") == std::string::npos) {
-            files.push_back(file);
-        }
-    }
+/// The glTF files among the loadable models.
+std::vector<std::string> gltf_models() {
+    std::vector<std::string> files = test::loadable_models();
+    std::erase_if(files, [](const std::string& file) { return !test::is_gltf(file); });
     return files;
 }
 
@@ -82,12 +68,8 @@ TEST_P(Model, HasTheSameBitsOnEveryDevice) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, Model, testing::ValuesIn(loadable_models()), [](const auto& info) {
-    std::string word = info.param;
-    std::ranges::replace_if(
-        word, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return word;
-});
+INSTANTIATE_TEST_SUITE_P(Shared, Model, testing::ValuesIn(gltf_models()),
+                         [](const auto& info) { return test::file_test_name(info.param); });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Model);
 
 // Tangents of the file, and computed ones.
@@ -107,7 +89,7 @@ TEST(Models, WithNormalMapsHaveTheSameAttributesOnEveryDevice) {
 
 TEST(Models, AreThere) {
     TESSERA_SHARED_OR_SKIP(shared);
-    EXPECT_GE(loadable_models().size(), 20u) << "the MANIFEST was not understood";
+    EXPECT_GE(gltf_models().size(), 20u) << "the MANIFEST was not understood";
 }
 
 // Without any file: shapes with large factors and every combination of scheme, normals and partitioning.

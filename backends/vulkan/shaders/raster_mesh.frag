@@ -64,8 +64,21 @@ vec3 wire(vec3 barycentric) {
     return mix(wire_edge, wire_fill, smoothstep(wire_half_width - 0.5, wire_half_width + 0.5, nearest));
 }
 
+// Trilinear filtering as Vulkan defines it without anisotropy. The shader picks the two levels and the sampler filters
+// within them, for drivers come to their own levels: llvmpipe, for one, takes the longer component of a step for its
+// length, and blends levels near the middle between them only.
+vec4 sample_base_color() {
+    vec2 size = vec2(textureSize(base_color_texture, 0));
+    vec2 across = dFdx(texture_uv) * size, down = dFdy(texture_uv) * size;
+    float longest = max(max(dot(across, across), dot(down, down)), 1.0);
+    float level = min(0.5 * log2(longest), float(textureQueryLevels(base_color_texture) - 1));
+    float finer = floor(level);
+    return mix(textureLod(base_color_texture, texture_uv, finer),
+               textureLod(base_color_texture, texture_uv, finer + 1.0), level - finer);
+}
+
 void main() {
-    vec4 base = material.base_color * vertex_colour * texture(base_color_texture, texture_uv);
+    vec4 base = material.base_color * vertex_colour * sample_base_color();
     vec3 edges = wire(barycentric);  // derivatives come before any discard
     if (base.a < material.alpha_cutoff) discard;
     float alpha = material.keeps_alpha != 0 ? base.a : 1.0;
