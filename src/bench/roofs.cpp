@@ -22,9 +22,7 @@ void for_each_block(std::uint64_t bytes, const Body& body) {
 }  // namespace
 
 HostRoofs::HostRoofs(std::uint64_t bytes)
-    : bytes_(std::max<std::uint64_t>((bytes + block - 1) / block, 1) * block),
-      first_(bytes_),
-      second_(bytes_) {
+    : bytes_(std::max<std::uint64_t>((bytes + block - 1) / block, 1) * block), first_(bytes_), second_(bytes_) {
     for_each_block(bytes_, [&](std::uint64_t at) {
         std::memset(first_.data() + at, 0, block);
         std::memset(second_.data() + at, 0, block);

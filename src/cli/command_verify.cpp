@@ -228,7 +228,7 @@ std::vector<HairOptions> hair_variants(const VerifyWords& words, const patches::
 }
 
 // With --all every scheme once: what else tells jobs apart shows in buffers.
-std::vector<JobWords> picture_jobs(const Words& words) {
+std::vector<JobWords> picture_jobs(const VerifyWords& words) {
     if (!words.all) return {words.job};
     std::vector<JobWords> list;
     for (const char* scheme : {"linear", "phong", "pn", "stpn"}) {

@@ -70,9 +70,11 @@ int apart(const image::Rgba& a, const image::Rgba& b) {
     return most;
 }
 
-void Recorder::draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices, std::uint32_t) {
-    for (std::size_t t = 0; t + 2 < indices.size(); t += 3)
-        triangles.push_back({{vertices[indices[t]], vertices[indices[t + 1]], vertices[indices[t + 2]]}});
+void Recorder::draw(const render::Draw& draw) {
+    for (std::size_t t = 0; t + 2 < draw.indices.size(); t += 3) {
+        const std::uint32_t* corners = draw.indices.data() + t;
+        triangles.push_back({{draw.vertices[corners[0]], draw.vertices[corners[1]], draw.vertices[corners[2]]}});
+    }
 }
 
 }  // namespace tessera::test

@@ -47,7 +47,8 @@ public:
 
     void begin(const render::Frame&) override {}
     void set_materials(const std::vector<scene::Material>&, const std::vector<scene::SceneImage>&) override {}
-    void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices, std::uint32_t) override;
+    using Rasteriser::draw;
+    void draw(const render::Draw& draw) override;
     image::Image finish() override { return {}; }
 
     std::vector<Triangle> triangles;
