@@ -34,7 +34,7 @@ std::vector<OwnRasteriser> open_own_rasterisers(const std::vector<gpu::Device>& 
 }
 
 /// What one job gave.
-struct Findings {
+struct PictureFindings {
     std::vector<PictureComparison> pictures;
     std::vector<std::pair<gpu::DeviceInfo, RasteriserComparison>> rasterisers;
 
@@ -43,26 +43,26 @@ struct Findings {
     }
 };
 
-std::string heading(const gpu::DeviceInfo& info) {
+std::string picture_heading(const gpu::DeviceInfo& info) {
     return info.backend == "reference" ? info.id
                                        : fmt::format("{} {}", info.id, info.name.substr(0, info.name.find(' ')));
 }
 
-void print(const std::string& title, const Findings& findings) {
+void print(const std::string& title, const PictureFindings& findings) {
     fmt::print("{}\n", title);
     for (const PictureComparison& picture : findings.pictures) {
-        fmt::print("  {:<28}{:>10} pixels  {}\n", heading(picture.device), picture.pixels,
+        fmt::print("  {:<28}{:>10} pixels  {}\n", picture_heading(picture.device), picture.pixels,
                    picture.differing == 0 ? "same bits" : fmt::format("{} differ", picture.differing));
         if (picture.first) fmt::print("    {}\n", verify::describe(*picture.first));
     }
     for (const auto& [device, result] : findings.rasterisers) {
         fmt::print("  {:<28}{:>10} pixels  FLIP {:.5f}, {} outliers, {} of them off edges\n",
-                   heading(device) + ", its own", result.pixels, result.flip_mean, result.outliers, result.off_edges);
+                   picture_heading(device) + ", its own", result.pixels, result.flip_mean, result.outliers, result.off_edges);
         if (result.first) fmt::print("    {}\n", verify::describe(*result.first));
     }
 }
 
-Json to_json(const std::string& input, const JobWords& job, std::uint32_t side, const Findings& findings) {
+Json to_json(const std::string& input, const JobWords& job, std::uint32_t side, const PictureFindings& findings) {
     Json document{{"input", input},       {"scheme", job.scheme}, {"partitioning", job.partitioning},
                   {"factor", job.factor}, {"width", side},        {"height", side}};
     document["devices"] = Json::array();
@@ -115,7 +115,7 @@ int verify_pictures(const Context& context, const PictureWords& words) {
             frame.camera = verify::fit_camera(words.devices.front(), subject, 1.0f);
             std::vector<render::Frame> frames{frame, frame};
             frames[0].samples = 1;
-            Findings findings{painters.compare(subject, frames), {}};
+            PictureFindings findings{painters.compare(subject, frames), {}};
             frame.shading = render::Shading::phong;
             for (const auto& [device, rasteriser] : own) {
                 progress.update((1.0 + static_cast<double>(findings.rasterisers.size())) / steps);

@@ -18,7 +18,7 @@ constexpr std::size_t face_bytes = 1 + 3 * sizeof(std::uint32_t);
 constexpr std::size_t faces_per_piece = 1 << 14, vertices_per_piece = 1 << 14;
 constexpr std::size_t tangent_bytes = offsetof(Tangent, unused);  // tx ty tz tw bx by bz
 static_assert(tangent_bytes == 7 * sizeof(float));
-constexpr std::size_t color_bytes = sizeof(VertexAttributes::color);
+constexpr std::size_t bytes_per_color = sizeof(VertexAttributes::color);
 
 class PlyWriter : public MeshWriter {
 public:
@@ -26,7 +26,7 @@ public:
         : check_(totals, path.string()),
           file_(path),
           vertex_bytes_(sizeof(Vertex) + (totals.has_tangents ? tangent_bytes : 0) +
-                        (totals.has_colors ? color_bytes : 0)) {
+                        (totals.has_colors ? bytes_per_color : 0)) {
         const std::string header = fmt::format(
             "ply\nformat binary_little_endian 1.0\ncomment Tessera {}\nelement vertex {}\n"
             "property float x\nproperty float y\nproperty float z\n"
@@ -80,7 +80,7 @@ private:
         for (std::size_t i = first; i < first + count; ++i) {
             put(&batch.vertices[i], sizeof(Vertex));
             if (check_.totals().has_tangents) put(&batch.tangents[i], tangent_bytes);
-            if (check_.totals().has_colors) put(batch.attributes[i].color, color_bytes);
+            if (check_.totals().has_colors) put(batch.attributes[i].color, bytes_per_color);
         }
     }
 

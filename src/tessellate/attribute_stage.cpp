@@ -8,10 +8,6 @@
 namespace tessera {
 namespace {
 
-using gpu::BufferUsage;
-
-constexpr auto storage_usage = BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination;
-
 using PatchAttributes = std::array<VertexAttributes, PATCH_CORNERS>;
 
 static_assert(sizeof(VertexAttributes) == ATTRIBUTE_FLOATS * sizeof(float));

@@ -18,7 +18,6 @@ namespace {
 using gpu::BufferUsage;
 using HairPatchWords = std::array<std::uint32_t, HAIR_PATCH_WORDS>;
 
-constexpr auto hair_usage = BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination;
 constexpr std::uint32_t hairs_per_part = 64;  // lines of the densest isoline patch
 
 // The largest part: 64 hairs of 64 segments.
@@ -148,7 +147,7 @@ struct HairJob::State {
     }
 
     gpu::Buffer storage(const char* label, std::uint64_t bytes) {
-        return device.create_buffer({label, bytes, hair_usage});
+        return device.create_buffer({label, bytes, storage_usage});
     }
 
     /// Hairs between the guides of a patch: one where there is but one guide.

@@ -1,8 +1,8 @@
 #include "tessellate/job.hpp"
 
-#include "base/error.hpp"
 #include "layout.h"
 #include "tessellate/attribute_stage.hpp"
+#include "tessellate/job_input.hpp"
 #include "tessellate/launch_shape.hpp"
 #include "tessellate/shared_pattern.hpp"
 #include "tessellate/stage_clock.hpp"
@@ -17,81 +17,11 @@
 namespace tessera {
 namespace {
 
-using gpu::BufferUsage;
-
-constexpr auto storage_usage = BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination;
 constexpr std::array<std::string_view, stage_count> stage_names{"factors",  "control nets", "counts",   "scan",
                                                                 "vertices", "indices",      "tangents", "attributes"};
 constexpr std::array<std::string_view, 3> degree_names{"linear", "quadratic", "cubic"};
 
 static_assert(sizeof(Tangent) == TANGENT_FLOATS * sizeof(float));
-static_assert(sizeof(patches::VertexTags) == VERTEX_TAG_FLOATS * sizeof(float));
-static_assert(sizeof(patches::CornerTags) == CORNER_TAG_FLOATS * sizeof(float));
-
-/// How many tags the scheme reads: of each control vertex, or one for all; none where it reads none.
-std::size_t vertex_tag_count(const patches::PatchSet& patches, const TessellationOptions& options) {
-    if (options.scheme != Scheme::phong && options.scheme != Scheme::stpn) return 0;
-    return std::max<std::size_t>(patches.vertex_tags.size(), 1);
-}
-
-std::vector<patches::VertexTags> vertex_tags(const patches::PatchSet& patches, const TessellationOptions& options) {
-    std::vector<patches::VertexTags> tags = patches.vertex_tags;
-    tags.resize(vertex_tag_count(patches, options));
-    // An alpha under 2^-24 changes nothing but could make denormals.
-    const float alpha = options.alpha < 0x1p-24f ? 0.0f : options.alpha;
-    for (patches::VertexTags& t : tags)
-        t.alpha = t.alpha < 0.0f ? alpha : t.alpha;
-    return tags;
-}
-
-/// Bytes that a job holds besides what belongs to a chunk.
-std::uint64_t shared_bytes(const patches::PatchSet& patches, const TessellationOptions& options) {
-    return patches.control_vertices.size() * sizeof(Vertex) +
-           vertex_tag_count(patches, options) * sizeof(patches::VertexTags);
-}
-
-/// The corner tags of a patch of a model that has no creases.
-std::array<patches::CornerTags, PATCH_CORNERS> smooth_corners(const patches::PatchSet& patches, std::uint64_t patch) {
-    std::array<patches::CornerTags, PATCH_CORNERS> tags{};
-    const patches::PatchCorners& corners = patches.corners[patch];
-    for (std::size_t k = 0; k < (patches::is_quad(corners) ? 4u : 3u); ++k)
-        std::ranges::copy(patches.control_vertices[corners[k]].normal, tags[k].normal);
-    return tags;
-}
-
-void check(const patches::PatchSet& patches, const TessellationOptions& options, const gpu::Limits& limits) {
-    if (const auto* factors = std::get_if<std::vector<PatchFactors>>(&options.factors);
-        factors != nullptr && factors->size() != patches.patch_count()) {
-        throw Error(ErrorKind::usage, fmt::format("There are {} sets of tessellation factors for {} patches; give one "
-                                                  "set, or one per patch.",
-                                                  factors->size(), patches.patch_count()));
-    }
-    if (!(options.alpha >= 0.0f && options.alpha <= 1.0f)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("The shape factor alpha is {}; it must lie in [0, 1].", options.alpha));
-    }
-    if (!patches.vertex_tags.empty() && patches.vertex_tags.size() != patches.control_vertices.size()) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("There are tags of {} vertices for {} control vertices; give none, or "
-                                "one per vertex.",
-                                patches.vertex_tags.size(), patches.control_vertices.size()));
-    }
-    if (!patches.corner_tags.empty() && patches.corner_tags.size() != patches.patch_count()) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("There are corner tags of {} patches for {} patches; give none, or one "
-                                "set per patch.",
-                                patches.corner_tags.size(), patches.patch_count()));
-    }
-    const std::uint64_t bytes =
-        std::max<std::uint64_t>(patches.control_vertices.size() * sizeof(Vertex),
-                                vertex_tag_count(patches, options) * sizeof(patches::VertexTags));
-    if (bytes > limits.max_storage_binding_size) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("The model has {} control vertices ({} bytes), more than one binding "
-                                "of the device holds ({} bytes); split the model.",
-                                patches.control_vertices.size(), bytes, limits.max_storage_binding_size));
-    }
-}
 
 }  // namespace
 
@@ -317,7 +247,7 @@ struct Job::State {
 
 Job::Job(gpu::Device device, const patches::PatchSet& patches, const TessellationOptions& options,
          const gpu::Limits& limits) {
-    check(patches, options, limits);
+    check_job(patches, options, limits);
     state_ = std::make_unique<State>(std::move(device), patches, options, limits);
     state_->create_chunk_buffers();
 }

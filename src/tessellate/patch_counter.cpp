@@ -5,11 +5,8 @@
 namespace tessera {
 namespace {
 
-using gpu::BufferUsage;
-
 gpu::Buffer storage_buffer(gpu::Device& device, const char* label, std::uint64_t words) {
-    return device.create_buffer(
-        {label, words * 4, BufferUsage::storage | BufferUsage::copy_source | BufferUsage::copy_destination});
+    return device.create_buffer({label, words * 4, storage_usage});
 }
 
 std::uint64_t blocks(std::uint64_t count) {

@@ -9,6 +9,10 @@
 
 namespace tessera {
 
+/// What jobs do with their buffers: kernels bind them, the host writes and reads them.
+inline constexpr gpu::BufferUsage storage_usage =
+    gpu::BufferUsage::storage | gpu::BufferUsage::copy_source | gpu::BufferUsage::copy_destination;
+
 /// Hands out parameter slots of one uniform buffer; the slots are filled on the host and uploaded once per submission.
 class ParameterRing {
 public:

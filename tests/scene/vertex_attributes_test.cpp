@@ -10,7 +10,7 @@ namespace {
 
 using json = GltfBuilder::json;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float beyond = std::numeric_limits<float>::infinity();
 
 /// A triangle facing +z with an attribute. The builder writes no "normalized" by itself.
 template <typename T>
@@ -47,7 +47,7 @@ TEST(VertexColours, OfNormalisedIntegersAreLinear) {
 }
 
 TEST(VertexColours, OutOfRangeAreClampedAndCounted) {
-    const auto scene = with<float>("COLOR_0", "VEC3", 5126, {2, -1, 0.5f, NAN, infinity, 0, 0, 0, 0}).load();
+    const auto scene = with<float>("COLOR_0", "VEC3", 5126, {2, -1, 0.5f, NAN, beyond, 0, 0, 0, 0}).load();
     EXPECT_EQ(scene.meshes.at(0).colors[0], glm::vec4(1, 0, 0.5f, 1));
     EXPECT_EQ(scene.meshes[0].colors[1], glm::vec4(1, 1, 0, 1));
     EXPECT_TRUE(has_message(scene, "2 values of COLOR_0 are outside"));
@@ -72,7 +72,7 @@ TEST(VertexColours, OfOtherFormatsAreRefused) {
 
 TEST(VertexColours, FollowTheVerticesThatStayAndSmoothNormals) {
     GltfBuilder builder;
-    const int positions = builder.add_positions({infinity, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const int positions = builder.add_positions({beyond, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0});
     const int colours = builder.add("VEC3", 5126, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     const int indices = builder.add("SCALAR", 5123, std::vector<std::uint16_t>{0, 1, 2, 1, 2, 3});
     builder.add_mesh_node({{"attributes", {{"POSITION", positions}, {"COLOR_0", colours}}}, {"indices", indices}});
@@ -108,7 +108,7 @@ TEST(FileTangents, KeepTheirBitangentInAMirror) {
 }
 
 TEST(FileTangents, OfNoUseAreLeftOutAsAWhole) {
-    for (const auto& [place, value] : {std::pair{4, 0.0f}, {8, NAN}, {7, 0.5f}, {11, infinity}}) {
+    for (const auto& [place, value] : {std::pair{4, 0.0f}, {8, NAN}, {7, 0.5f}, {11, beyond}}) {
         auto values = along_x;
         values[static_cast<std::size_t>(place)] = value;
         const auto scene = with<float>("TANGENT", "VEC4", 5126, values).load();

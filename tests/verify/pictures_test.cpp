@@ -17,13 +17,13 @@ namespace tessera {
 namespace {
 
 /// A model whose images are small enough for many pictures.
-struct Model {
+struct Shown {
     scene::Scene scene;
     patches::PatchSet patches;
     patches::HairSet hair;
     HairOptions hair_options;
 
-    explicit Model(const std::string& name) : scene(scene::load_scene(name, {.all_maps = true})) {
+    explicit Shown(const std::string& name) : scene(scene::load_scene(name, {.all_maps = true})) {
         for (scene::SceneImage& image : scene.images) {
             while (std::max(image.pixels.width, image.pixels.height) > 256)
                 image.pixels = image::halve(image.pixels);
@@ -44,7 +44,7 @@ struct Model {
 };
 
 /// Sides that are no multiples of a tile; metallic-roughness materials under the model's lights and one of the camera.
-std::vector<render::Frame> make_frames(const Model& model, const render::Camera& camera) {
+std::vector<render::Frame> make_frames(const Shown& model, const render::Camera& camera) {
     render::Frame frame;
     frame.width = 131;
     frame.height = 117;
@@ -82,7 +82,7 @@ protected:
 
 TEST_P(Picture, IsTheSameOnEveryDevice) {
     TESSERA_SHARED_OR_SKIP(shared);
-    const Model model((shared / "models" / GetParam()).string());
+    const Shown model((shared / "models" / GetParam()).string());
     for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
         if (model.is_large() && scheme != Scheme::pn) continue;  // with factors of 1 they are all the same
         const verify::PictureSubject subject = model.subject(scheme);
@@ -120,7 +120,7 @@ protected:
 // Where hardware extrapolates a colour beyond a needle of a triangle, it is not ours to follow: even factors make none.
 TEST_P(OwnPicture, IsCloseToThePortableOne) {
     TESSERA_SHARED_OR_SKIP(shared);
-    const Model model((shared / "models" / GetParam()).string());
+    const Shown model((shared / "models" / GetParam()).string());
     for (const Scheme scheme : {Scheme::linear, Scheme::phong, Scheme::pn}) {
         if (model.is_large() && scheme != Scheme::pn) continue;
         const gpu::Device device = test::open_device("reference");
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, OwnPicture, testing::ValuesIn(models_with_one_p
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(OwnPicture);
 
 TEST(Edges, AreWhereACubeHasThem) {
-    const Model model("shape:cube");
+    const Shown model("shape:cube");
     const gpu::Device device = test::open_device("reference");
     const verify::PictureSubject subject = model.subject(Scheme::linear);
     render::Frame frame;
