@@ -57,7 +57,8 @@ void print(const std::string& title, const PictureFindings& findings) {
     }
     for (const auto& [device, result] : findings.rasterisers) {
         fmt::print("  {:<28}{:>10} pixels  FLIP {:.5f}, {} outliers, {} of them off edges\n",
-                   picture_heading(device) + ", its own", result.pixels, result.flip_mean, result.outliers, result.off_edges);
+                   picture_heading(device) + ", its own", result.pixels, result.flip_mean, result.outliers,
+                   result.off_edges);
         if (result.first) fmt::print("    {}\n", verify::describe(*result.first));
     }
 }
