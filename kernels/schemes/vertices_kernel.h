@@ -1,15 +1,17 @@
 // Stage 5, the kernel of every scheme and domain: control net and domain points -> vertices of 32 bytes. The build
 // makes its variants (kernels/CMakeLists.txt): each names the kernel by VERTICES_KERNEL, gives VERTICES_DEGREE and
-// VERTICES_NORMALS (triangle_surface.h), VERTICES_SHARED (1: all patches share a pattern of points; 0: each makes its
-// own), and includes the domain and the surface first. No include guard: every variant includes it once.
+// VERTICES_NORMALS (triangle_surface.h), VERTICES_SHARED (1: all patches share a pattern, whose triangles are written
+// too; 0: each makes its own points), and includes the domain and the surface first. No include guard: every variant
+// includes it once.
 #include "emission.h"
 #include "tessellator/run_points.h"
 
 KERNELS_BEGIN
 
 #if VERTICES_SHARED
-KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, pattern), READ(2, uint, offsets),
-        READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), UNIFORM(5, EmitParams, params)) {
+KERNEL8(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, pattern), READ(2, uint, offsets),
+        READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), READ(5, uint, pattern_indices),
+        WRITE(6, uint, index_buffer), UNIFORM(7, EmitParams, params)) {
 #else
 KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
         READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), UNIFORM(5, EmitParams, params)) {
@@ -53,6 +55,29 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         }
         STREAM_VERTICES(vertex_buffer, start, first, count, run);
     }
+#if VERTICES_SHARED
+    // Stage 6, in the same pass: vertices are bound by instructions and indices by memory, so that one hides the other.
+    // Whole runs that begin on a multiple of RUN words are streamed; the first lane adds what is left at both ends.
+    const uint base = p.vertex_base + start;
+    const uint index_start = INDEX_START(p, offsets, patch_index);
+    const uint words = INDEX_COUNT(offsets, patch_index);
+    const uint unaligned = (0u - index_start) & (RUN - 1u);
+    const uint lead = unaligned < words ? unaligned : words;
+    for (uint at = lead + e.first; at + RUN <= words; at = at + e.step) {
+        uint run[RUN];
+        FOR_RUN(k) {
+            run[k] = base + pattern_indices[RUN_AT(at, k)];
+        }
+        STREAM_WORDS(index_buffer, index_start + at, run);
+    }
+    const uint tail = e.first == 0u ? words - ((words - lead) & (RUN - 1u)) : words;
+    for (uint at = e.first == 0u ? 0u : lead; at < lead; ++at) {
+        index_buffer[index_start + at] = base + pattern_indices[at];
+    }
+    for (uint at = tail; at < words; ++at) {
+        index_buffer[index_start + at] = base + pattern_indices[at];
+    }
+#endif
     STREAM_END;
 }
 

@@ -204,37 +204,42 @@ struct Job::State {
             vertex_bytes = std::max(vertex_bytes, std::uint64_t{batch.vertex_count} * sizeof(Vertex));
             index_bytes = std::max(index_bytes, std::uint64_t{batch.index_count} * 4);
         }
-        if (vertex_bytes > (vertices ? vertices.size() : 0)) {
-            if (vertices) vertices.destroy();
-            vertices = storage("vertices", vertex_bytes);
-            const auto degree_name = degree_names[degree(options.scheme) - 1];
-            for_used_domains([&](DomainStages& d) {
-                d.vertices = Stage(device,
-                                   fmt::format("vertices_{}_{}_{}{}", degree_name, name(options.normals),
-                                               name(d.domain), d.has_pattern() ? "_shared" : ""),
-                                   {nets, d.has_pattern() ? d.pattern.points : counter.records(), counter.offsets(),
-                                    patch_list, vertices},
-                                   parameters);
-            });
+        const bool more_vertices = vertex_bytes > (vertices ? vertices.size() : 0);
+        const bool more_indices = index_bytes > (indices ? indices.size() : 0);
+        if (more_vertices) replace(vertices, "vertices", vertex_bytes);
+        if (more_indices) replace(indices, "indices", index_bytes);
+        if (more_vertices || more_indices) for_used_domains([&](DomainStages& d) { make_emission(d); });
+        if (more_vertices) {
             if (has_tangents()) reserve_tangents(vertex_bytes);
             attributes.reserve(vertex_bytes, counter.records(), counter.offsets(), patch_list);
         }
-        if (index_bytes > (indices ? indices.size() : 0)) {
-            if (indices) indices.destroy();
-            indices = storage("indices", index_bytes);
-            for_used_domains([&](DomainStages& d) {
-                d.indices = Stage(
-                    device, fmt::format("indices_{}", d.has_pattern() ? "shared" : name(d.domain)),
-                    {d.has_pattern() ? d.pattern.indices : counter.records(), counter.offsets(), patch_list, indices},
-                    parameters);
-            });
+    }
+
+    void replace(gpu::Buffer& buffer, const char* label, std::uint64_t bytes) {
+        if (buffer) buffer.destroy();
+        buffer = storage(label, bytes);
+    }
+
+    // With a shared pattern one stage writes vertices and indices.
+    void make_emission(DomainStages& d) {
+        const std::string kernel = fmt::format("vertices_{}_{}_{}", degree_names[degree(options.scheme) - 1],
+                                               name(options.normals), name(d.domain));
+        if (d.has_pattern()) {
+            d.vertices =
+                Stage(device, kernel + "_shared",
+                      {nets, d.pattern.points, counter.offsets(), patch_list, vertices, d.pattern.indices, indices},
+                      parameters);
+            return;
         }
+        d.vertices =
+            Stage(device, kernel, {nets, counter.records(), counter.offsets(), patch_list, vertices}, parameters);
+        d.indices = Stage(device, fmt::format("indices_{}", name(d.domain)),
+                          {counter.records(), counter.offsets(), patch_list, indices}, parameters);
     }
 
     // Beside new vertices, whose normals the stage reads.
     void reserve_tangents(std::uint64_t bytes) {
-        if (tangents) tangents.destroy();
-        tangents = storage("tangents", bytes);
+        replace(tangents, "tangents", bytes);
         for_used_domains([&](DomainStages& d) {
             d.tangents =
                 Stage(device,
@@ -339,7 +344,7 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
         gpu::ComputePass pass = encoder.begin_compute_pass();
         for (const DomainStages& d : s.domains) {
             const auto [first, count] = d.entries(batch.first_patch, batch.patch_count);
-            if (count == 0) continue;
+            if (count == 0 || (id == StageId::indices && d.has_pattern())) continue;
             const kernels::EmitParams params{first,
                                              count,
                                              lanes,

@@ -76,7 +76,7 @@ TEST(Soundness, ADeviceThatWritesNothingIsRejected) {
     settings.workloads = {"W1"};
     settings.source.quick = true;
     settings.effort = {1, 0, 1.0};
-    settings.devices = {test::open_device("reference"), forgetful("indices")};
+    settings.devices = {test::open_device("reference"), forgetful("vertices")};
     const Report report = run_bench(settings, [](const std::string&) {});
     ASSERT_EQ(report.figures.size(), 2u);
     EXPECT_EQ(report.figures[0].rejected, "");
