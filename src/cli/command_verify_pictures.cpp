@@ -51,12 +51,12 @@ std::string picture_heading(const gpu::DeviceInfo& info) {
 void print(const std::string& title, const PictureFindings& findings) {
     fmt::print("{}\n", title);
     for (const PictureComparison& picture : findings.pictures) {
-        fmt::print("  {:<28}{:>10} pixels  {}\n", picture_heading(picture.device), picture.pixels,
+        fmt::print("  {:<40.40}{:>10} pixels  {}\n", picture_heading(picture.device), picture.pixels,
                    picture.differing == 0 ? "same bits" : fmt::format("{} differ", picture.differing));
         if (picture.first) fmt::print("    {}\n", verify::describe(*picture.first));
     }
     for (const auto& [device, result] : findings.rasterisers) {
-        fmt::print("  {:<28}{:>10} pixels  FLIP {:.5f}, {} outliers, {} of them off edges\n",
+        fmt::print("  {:<40.40}{:>10} pixels  FLIP {:.5f}, {} outliers, {} of them off edges\n",
                    picture_heading(device) + ", its own", result.pixels, result.flip_mean, result.outliers,
                    result.off_edges);
         if (result.first) fmt::print("    {}\n", verify::describe(*result.first));
