@@ -34,10 +34,8 @@ FUNCTION uint wrapped_texel(int place, uint size, uint wrap) {
 }
 
 FUNCTION Taps make_map_taps(uint width, uint height, uint wrap_u, uint wrap_v, uint level, float u, float v) {
-    const uint halved_width = width >> level;
-    const uint halved_height = height >> level;
-    const uint w = choose_bits(halved_width == 0u, 1u, halved_width);
-    const uint h = choose_bits(halved_height == 0u, 1u, halved_height);
+    const uint w = level_extent(width, level);
+    const uint h = level_extent(height, level);
     const float x = wrapped(u, wrap_u) * to_float(w) - 0.5f;
     const float y = wrapped(v, wrap_v) * to_float(h) - 0.5f;
     const int left = floor_to_int(x);
@@ -48,16 +46,7 @@ FUNCTION Taps make_map_taps(uint width, uint height, uint wrap_u, uint wrap_v, u
     const uint y0 = wrapped_texel(top, h, wrap_v);
     const uint x1 = wrapped_texel(left + 1, w, wrap_u);
     const uint y1 = wrapped_texel(top + 1, h, wrap_v);
-    Taps t;
-    t.a = y0 * w + x0;
-    t.b = y0 * w + x1;
-    t.c = y1 * w + x0;
-    t.d = y1 * w + x1;
-    t.wa = (1.0f - fx) * (1.0f - fy);
-    t.wb = fx * (1.0f - fy);
-    t.wc = (1.0f - fx) * fy;
-    t.wd = fx * fy;
-    return t;
+    return bilinear_taps(w, x0, y0, x1, y1, fx, fy);
 }
 
 /// As texture_level, for changes of a map's coordinates in texels.

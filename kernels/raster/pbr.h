@@ -193,24 +193,18 @@ KERNELS_END
     SHADE_PBR_LIGHT(colour, p)
 
 // As SHADE of shading.h.
-#define SHADE_PBR_IN_ORDER(colour, dropped, p, triangle, back, px, py)        \
-    {                                                                         \
-        SHADE_CORNERS(p, triangle, px, py)                                    \
-        SHADE_INSIDE                                                          \
-        SHADE_VERTEX_COLOUR(p, triangle)                                      \
-        SHADE_MAPS(p)                                                         \
-        base = surface.base;                                                  \
-        dropped = base.alpha < p.cutoff;                                      \
-        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);           \
-        SHADE_NORMAL(p, back)                                                 \
-        SHADE_TANGENT(p, triangle, back)                                      \
-        SHADE_PBR_LIGHT(colour, p)                                            \
-        if (p.wires != 0u) {                                                  \
-            colour = wires_over(colour, beside_edges(weights, across, down)); \
-        }                                                                     \
-        colour.red = colour.red * colour.alpha;                               \
-        colour.green = colour.green * colour.alpha;                           \
-        colour.blue = colour.blue * colour.alpha;                             \
+#define SHADE_PBR_IN_ORDER(colour, dropped, p, triangle, back, px, py) \
+    {                                                                  \
+        SHADE_CORNERS(p, triangle, px, py)                             \
+        SHADE_INSIDE                                                   \
+        SHADE_VERTEX_COLOUR(p, triangle)                               \
+        SHADE_MAPS(p)                                                  \
+        base = surface.base;                                           \
+        SHADE_ALPHA(dropped, p)                                        \
+        SHADE_NORMAL(p, back)                                          \
+        SHADE_TANGENT(p, triangle, back)                               \
+        SHADE_PBR_LIGHT(colour, p)                                     \
+        SHADE_OVER(colour, p)                                          \
     }
 
 #endif

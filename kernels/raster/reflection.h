@@ -40,6 +40,16 @@ FUNCTION Vector turn_to_camera(DrawParams p, Vector v) {
                                     ((p.bx * v.x + p.by * v.y) + p.bz * v.z) * p.unscale));
 }
 
+/// A colour under light that it takes on, and light that it throws back as it is.
+FUNCTION Colour lit_colour(Colour base, float body, float white) {
+    Colour c;
+    c.red = base.red * body + white;
+    c.green = base.green * body + white;
+    c.blue = base.blue * body + white;
+    c.alpha = base.alpha;
+    return c;
+}
+
 /// From a point in camera space to the light.
 FUNCTION Vector towards_light(DrawParams p, Vector camera, Vector light, bool is_place) {
     const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
@@ -60,12 +70,7 @@ FUNCTION Colour reflect_light(Reflection r, Vector n, Vector to_light, Vector to
     const float peak = exact_power(at_most(at_least(high, 0.0f), 1.0f), r.shininess);
     const float white = r.specular * choose(lit > 0.0f, peak, 0.0f);
     const float body = r.ambient + r.diffuse * lit;
-    Colour c;
-    c.red = base.red * body + white;
-    c.green = base.green * body + white;
-    c.blue = base.blue * body + white;
-    c.alpha = base.alpha;
-    return c;
+    return lit_colour(base, body, white);
 }
 
 KERNELS_END

@@ -64,10 +64,7 @@ FUNCTION Vector facing_normal(DrawParams p, Vector normal, bool back) {
 }
 
 FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour base) {
-    const Vector rotated = make_vector(((p.rx * normal.x + p.ry * normal.y) + p.rz * normal.z) * p.unscale,
-                                       ((p.ux * normal.x + p.uy * normal.y) + p.uz * normal.z) * p.unscale,
-                                       ((p.bx * normal.x + p.by * normal.y) + p.bz * normal.z) * p.unscale);
-    const Vector n = flush_vector(rotated);
+    const Vector n = turn_to_camera(p, normal);
     const Vector ahead = make_vector(0.0f, 0.0f, 1.0f);
     const Vector to_eye = unit_vector(make_vector(-camera.x, -camera.y, -camera.z), ahead);
     const Vector halfway = unit_vector(add(to_light(), to_eye), ahead);
@@ -76,12 +73,7 @@ FUNCTION Colour phong_light(DrawParams p, Vector normal, Vector camera, Colour b
     const float shine = choose(lit > 0.0f, power_600(high), 0.0f);
     const float body = LIGHT_AMBIENT + LIGHT_DIFFUSE * lit;
     const float white = LIGHT_SPECULAR * shine;
-    Colour c;
-    c.red = base.red * body + white;
-    c.green = base.green * body + white;
-    c.blue = base.blue * body + white;
-    c.alpha = base.alpha;
-    return c;
+    return lit_colour(base, body, white);
 }
 
 /// Distance to the edge opposite a corner, in pixels.
@@ -227,37 +219,48 @@ KERNELS_END
     colour.blue = choose(((unit_u + unit_v) & 1) != 0, 0.25f, 0.0f);                          \
     colour.alpha = base.alpha;
 
-// All of it, for materials that may be dropped or blended.
-#define SHADE(colour, dropped, p, triangle, back, px, py)                     \
-    {                                                                         \
-        SHADE_CORNERS(p, triangle, px, py)                                    \
-        SHADE_INSIDE                                                          \
-        SHADE_VERTEX_COLOUR(p, triangle)                                      \
-        if (p.texture_levels != 0u) {                                         \
-            SHADE_TEXTURE(p)                                                  \
-        }                                                                     \
-        dropped = base.alpha < p.cutoff;                                      \
-        base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);           \
-        SHADE_NORMAL(p, back)                                                 \
-        if (p.shading == SHADING_WIREFRAME) {                                 \
-            colour = wire_colour(weights, across, down, base.alpha);          \
-        } else if (p.shading == SHADING_NORMALS) {                            \
-            SHADE_NORMAL_AS_COLOUR(colour)                                    \
-        } else if (p.shading == SHADING_REFLECTION) {                         \
-            SHADE_REFLECTION(colour, p)                                       \
-        } else if (p.shading == SHADING_DEPTH) {                              \
-            SHADE_DEPTH_AS_COLOUR(colour)                                     \
-        } else if (p.shading == SHADING_UV) {                                 \
-            SHADE_UV_AS_COLOUR(colour)                                        \
-        } else {                                                              \
-            SHADE_PHONG(colour, p)                                            \
-        }                                                                     \
-        if (p.wires != 0u) {                                                  \
-            colour = wires_over(colour, beside_edges(weights, across, down)); \
-        }                                                                     \
-        colour.red = colour.red * colour.alpha;                               \
-        colour.green = colour.green * colour.alpha;                           \
-        colour.blue = colour.blue * colour.alpha;                             \
+// `base` of vertex colours and texture.
+#define SHADE_BASE(p, triangle)      \
+    SHADE_VERTEX_COLOUR(p, triangle) \
+    if (p.texture_levels != 0u) {    \
+        SHADE_TEXTURE(p)             \
+    }
+
+// For materials that may be dropped or blended: what becomes of the alpha of `base`, and wires over a colour that is
+// then multiplied by its alpha.
+#define SHADE_ALPHA(dropped, p)      \
+    dropped = base.alpha < p.cutoff; \
+    base.alpha = choose(p.keeps_alpha != 0u, base.alpha, 1.0f);
+#define SHADE_OVER(colour, p)                                             \
+    if (p.wires != 0u) {                                                  \
+        colour = wires_over(colour, beside_edges(weights, across, down)); \
+    }                                                                     \
+    colour.red = colour.red * colour.alpha;                               \
+    colour.green = colour.green * colour.alpha;                           \
+    colour.blue = colour.blue * colour.alpha;
+
+// All of it, for such materials.
+#define SHADE(colour, dropped, p, triangle, back, px, py)            \
+    {                                                                \
+        SHADE_CORNERS(p, triangle, px, py)                           \
+        SHADE_INSIDE                                                 \
+        SHADE_BASE(p, triangle)                                      \
+        SHADE_ALPHA(dropped, p)                                      \
+        SHADE_NORMAL(p, back)                                        \
+        if (p.shading == SHADING_WIREFRAME) {                        \
+            colour = wire_colour(weights, across, down, base.alpha); \
+        } else if (p.shading == SHADING_NORMALS) {                   \
+            SHADE_NORMAL_AS_COLOUR(colour)                           \
+        } else if (p.shading == SHADING_REFLECTION) {                \
+            SHADE_REFLECTION(colour, p)                              \
+        } else if (p.shading == SHADING_DEPTH) {                     \
+            SHADE_DEPTH_AS_COLOUR(colour)                            \
+        } else if (p.shading == SHADING_UV) {                        \
+            SHADE_UV_AS_COLOUR(colour)                               \
+        } else {                                                     \
+            SHADE_PHONG(colour, p)                                   \
+        }                                                            \
+        SHADE_OVER(colour, p)                                        \
     }
 
 #endif

@@ -44,11 +44,29 @@ STRUCT(Taps) {
     float wd;
 };
 
+/// The extent of a level: halved once for each, and at least 1.
+FUNCTION uint level_extent(uint extent, uint level) {
+    const uint halved = extent >> level;
+    return choose_bits(halved == 0u, 1u, halved);
+}
+
+/// The four texels around a place in rows of `width` texels, and how much of each: (fx, fy) of the step to (x1, y1).
+FUNCTION Taps bilinear_taps(uint width, uint x0, uint y0, uint x1, uint y1, float fx, float fy) {
+    Taps t;
+    t.a = y0 * width + x0;
+    t.b = y0 * width + x1;
+    t.c = y1 * width + x0;
+    t.d = y1 * width + x1;
+    t.wa = (1.0f - fx) * (1.0f - fy);
+    t.wb = fx * (1.0f - fy);
+    t.wc = (1.0f - fx) * fy;
+    t.wd = fx * fy;
+    return t;
+}
+
 FUNCTION Taps make_taps(DrawParams p, uint level, float u, float v) {
-    const uint halved_width = p.texture_width >> level;
-    const uint halved_height = p.texture_height >> level;
-    const uint w = choose_bits(halved_width == 0u, 1u, halved_width);
-    const uint h = choose_bits(halved_height == 0u, 1u, halved_height);
+    const uint w = level_extent(p.texture_width, level);
+    const uint h = level_extent(p.texture_height, level);
     const float x = (u - to_float(floor_to_int(u))) * to_float(w) - 0.5f;
     const float y = (v - to_float(floor_to_int(v))) * to_float(h) - 0.5f;
     const int left = floor_to_int(x);
@@ -60,16 +78,7 @@ FUNCTION Taps make_taps(DrawParams p, uint level, float u, float v) {
     const uint y0 = choose_bits(top < 0, h - 1u, to_uint(top));
     const uint x1 = choose_bits(left + 1 < to_int(w), to_uint(left + 1), 0u);
     const uint y1 = choose_bits(top + 1 < to_int(h), to_uint(top + 1), 0u);
-    Taps t;
-    t.a = y0 * w + x0;
-    t.b = y0 * w + x1;
-    t.c = y1 * w + x0;
-    t.d = y1 * w + x1;
-    t.wa = (1.0f - fx) * (1.0f - fy);
-    t.wb = fx * (1.0f - fy);
-    t.wc = (1.0f - fx) * fy;
-    t.wd = fx * fy;
-    return t;
+    return bilinear_taps(w, x0, y0, x1, y1, fx, fy);
 }
 
 STRUCT(Colour) {

@@ -2,36 +2,19 @@
 // scheme by NET_KERNEL, NET_SCHEME (1 linear, 2 phong, 3 pn, 4 stpn) and NET_NORMALS (1 linear, 2 quadratic). No
 // include guard: every variant includes it once.
 #include "schemes/net_run.h"
-
-#if NET_SCHEME == 4
-#define NET_DEGREE 3
-#else
-#define NET_DEGREE NET_SCHEME
-#endif
+#include "schemes/net_signature.h"
 
 KERNELS_BEGIN
 
-#if NET_SCHEME == 2
-KERNEL6(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
-        READ(3, float, vertex_tags), WRITE(4, float, nets), UNIFORM(5, ControlNetsParams, params)) {
-#elif NET_SCHEME == 4
-KERNEL7(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
-        READ(3, float, vertex_tags), READ(4, float, corner_tags), WRITE(5, float, nets),
-        UNIFORM(6, ControlNetsParams, params)) {
-#else
-KERNEL5(NET_KERNEL, READ(0, float, control_vertices), READ(1, uint, patch_indices), READ(2, uint, patch_list),
-        WRITE(3, float, nets), UNIFORM(4, ControlNetsParams, params)) {
-#endif
+NET_SIGNATURE {
     const ControlNetsParams p = LOAD_UNIFORM(params);
     const uint first = ITEM;
     if (first >= p.count || (first & (RUN - 1u)) != 0u) {
         return;
     }
-    const uint valid = p.count - first < RUN ? p.count - first : RUN;
+    const uint valid = run_length(first, p.count);
     uint patches[RUN];
-    FOR_RUN(k) {
-        patches[k] = patch_list[p.first + first + (k < valid ? k : 0u)];
-    }
+    LOAD_NET_PATCHES(patches, patch_list, p.first + first, valid)
     float run[RUN * QUAD_NET_FLOATS(NET_DEGREE, NET_NORMALS)];
     FOR_RUN(k) {
         const uint patch_index = patches[k];
@@ -130,4 +113,5 @@ KERNELS_END
 #undef NET_KERNEL
 #undef NET_SCHEME
 #undef NET_DEGREE
+#undef NET_SIGNATURE
 #undef NET_NORMALS

@@ -3,10 +3,16 @@
 #ifndef TESSERA_SCHEMES_NET_RUN_H
 #define TESSERA_SCHEMES_NET_RUN_H
 
-#include "layout.h"
+#include "emission.h"
 #include "vector.h"
 
 KERNELS_BEGIN
+
+/// The patches of a run, from place `at` of a list on, `valid` of them; the rest are the first one once more.
+#define LOAD_NET_PATCHES(patches, patch_list, at, valid)        \
+    FOR_RUN(k) {                                                \
+        patches[k] = patch_list[(at) + (k < (valid) ? k : 0u)]; \
+    }
 
 /// Word `word` of net k of a run: all first words lie together, then all second ones.
 #define PUT_NET(run, word, k, value) run[(word)*RUN + (k)] = value

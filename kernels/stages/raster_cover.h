@@ -2,6 +2,27 @@
 // in their record, and only rows and columns of samples within their box are looked at.
 #include "raster/tile.h"
 
+// What a triangle shows of samples that it covers (1, else 0) at depth z, where it is nearer: of sample k of a run that
+// begins at `at`, kept in arrays until the run is stored; and of a sample by itself.
+#define KEEP_IN_RUN(k, at, covered, z, seen)                                                                  \
+    const uint there = depths[(at) + k];                                                                      \
+    const uint seen_there = visible[(at) + k];                                                                \
+    const uint hit = ((covered)&choose_bits(z >= 0.0f, 1u, 0u)) & choose_bits(z < bits_float(there), 1u, 0u); \
+    nearest[k] = choose_bits(hit != 0u, float_bits(z), there);                                                \
+    nearest_seen[k] = choose_bits(hit != 0u, seen, seen_there);
+#define STORE_SAMPLES(at)                    \
+    for (uint k = 0u; k < RUN; ++k) {        \
+        depths[(at) + k] = nearest[k];       \
+    }                                        \
+    for (uint k = 0u; k < RUN; ++k) {        \
+        visible[(at) + k] = nearest_seen[k]; \
+    }
+#define KEEP_SAMPLE(place, z, seen)                   \
+    if (z >= 0.0f && z < bits_float(depths[place])) { \
+        depths[place] = float_bits(z);                \
+        visible[place] = seen;                        \
+    }
+
 KERNELS_BEGIN
 
 KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), WRITE(3, uint, depths),
@@ -56,20 +77,12 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                             const int e1 = t.dy2 * px - t.dx2 * py;
                             const int e0 = area - e1 - e2;
                             const float z = t.z0 + (t.slope_x * to_float(px) + t.slope_y * to_float(py));
-                            const uint there = depths[row_at + from + k];
-                            const uint seen_there = visible[row_at + from + k];
-                            const uint hit = ((choose_bits(e2 >= least2, 1u, 0u) & choose_bits(e1 >= least1, 1u, 0u)) &
-                                              (choose_bits(e0 >= least0, 1u, 0u) & choose_bits(z >= 0.0f, 1u, 0u))) &
-                                             choose_bits(z < bits_float(there), 1u, 0u);
-                            nearest[k] = choose_bits(hit != 0u, float_bits(z), there);
-                            nearest_seen[k] = choose_bits(hit != 0u, seen, seen_there);
+                            const uint covered =
+                                (choose_bits(e2 >= least2, 1u, 0u) & choose_bits(e1 >= least1, 1u, 0u)) &
+                                choose_bits(e0 >= least0, 1u, 0u);
+                            KEEP_IN_RUN(k, row_at + from, covered, z, seen)
                         }
-                        for (uint k = 0u; k < RUN; ++k) {
-                            depths[row_at + from + k] = nearest[k];
-                        }
-                        for (uint k = 0u; k < RUN; ++k) {
-                            visible[row_at + from + k] = nearest_seen[k];
-                        }
+                        STORE_SAMPLES(row_at + from)
                     }
                     continue;
                 }
@@ -81,10 +94,7 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                     if (e2 >= least2 && e1 >= least1 && e0 >= least0) {
                         const float z = t.z0 + (t.slope_x * to_float(px) + t.slope_y * to_float(py));
                         const uint place = sample_index(p, part.tile, x, row);
-                        if (z >= 0.0f && z < bits_float(depths[place])) {
-                            depths[place] = float_bits(z);
-                            visible[place] = seen;
-                        }
+                        KEEP_SAMPLE(place, z, seen)
                     }
                 }
             }
@@ -119,19 +129,9 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                             FOR_RUN(k) {
                                 const int sx = row_x + to_int(from + k) * step;
                                 const float z = depth_at(t, sx, sy);
-                                const uint there = depths[row_at + from + k];
-                                const uint seen_there = visible[row_at + from + k];
-                                const uint hit = (coverage(t, sx, sy) & choose_bits(z >= 0.0f, 1u, 0u)) &
-                                                 choose_bits(z < bits_float(there), 1u, 0u);
-                                nearest[k] = choose_bits(hit != 0u, float_bits(z), there);
-                                nearest_seen[k] = choose_bits(hit != 0u, seen, seen_there);
+                                KEEP_IN_RUN(k, row_at + from, coverage(t, sx, sy), z, seen)
                             }
-                            for (uint k = 0u; k < RUN; ++k) {
-                                depths[row_at + from + k] = nearest[k];
-                            }
-                            for (uint k = 0u; k < RUN; ++k) {
-                                visible[row_at + from + k] = nearest_seen[k];
-                            }
+                            STORE_SAMPLES(row_at + from)
                         }
                         continue;
                     }
@@ -140,10 +140,7 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
                         if (covers(t, sx, sy)) {
                             const float z = depth_at(t, sx, sy);
                             const uint place = sample_index(p, part.tile, x, row);
-                            if (z >= 0.0f && z < bits_float(depths[place])) {
-                                depths[place] = float_bits(z);
-                                visible[place] = seen;
-                            }
+                            KEEP_SAMPLE(place, z, seen)
                         }
                     }
                 }

@@ -2,10 +2,7 @@
 #define SHADE_NAME raster_shade_coloured
 #define SHADE_SURFACE(colour, p, back, x, y) \
     SHADE_INSIDE                             \
-    SHADE_VERTEX_COLOUR(p, triangle)         \
-    if (p.texture_levels != 0u) {            \
-        SHADE_TEXTURE(p)                     \
-    }                                        \
+    SHADE_BASE(p, triangle)                  \
     SHADE_NORMAL(p, back)                    \
     SHADE_PHONG(colour, p)
 #include "raster/shade_kernel.h"

@@ -51,7 +51,7 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
                 STREAM_TRIANGLES(index_buffer, start + 3u * first, run);
             } else {
                 const uint skipped = at < shift ? shift - at : 0u;
-                const uint made = end - first < RUN ? end - first : RUN;
+                const uint made = run_length(first, end);
                 for (uint word = 3u * skipped; word < 3u * made; ++word) {
                     index_buffer[start + 3u * first + word] = run[word % 3u * RUN + word / 3u];
                 }

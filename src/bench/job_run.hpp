@@ -40,7 +40,6 @@ private:
     const Workload& workload_;
     Job job_;
     OutputSize size_;
-    StageTimes before_;
     std::array<double, stage_count> stages_{};
     gpu::Traffic traffic_;
 };

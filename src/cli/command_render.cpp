@@ -167,7 +167,7 @@ int run(const Context& context, const Words& words) {
     const bool facing = hair_options.ribbons == Ribbons::camera && words.hair.eye.empty();
     for (std::uint32_t i = 0; i < frames; ++i) {
         frame.camera = survey.camera(2.0 * std::numbers::pi * i / frames);
-        set_depth_range(render::bounds_of(patches.control_vertices), frame);
+        frame.depth_range = render::depth_range(frame.camera, render::bounds_of(patches.control_vertices));
         for (views::Cell& cell : cells) {
             if (facing) cell.tessellator->face(frame.camera.eye);
         }

@@ -123,17 +123,4 @@ void apply(const LookWords& words, const scene::Scene& scene, int exponent, rend
     }
 }
 
-void set_depth_range(const render::Bounds& bounds, render::Frame& frame) {
-    float nearest = 3.4e38f, farthest = -3.4e38f;
-    for (int corner = 0; corner < 8; ++corner) {
-        glm::vec3 point;
-        for (int axis = 0; axis < 3; ++axis)
-            point[axis] = (corner >> axis & 1) != 0 ? bounds.max[axis] : bounds.min[axis];
-        const float ahead = -(frame.camera.view * glm::vec4(point, 1.0f)).z;
-        nearest = std::min(nearest, ahead);
-        farthest = std::max(farthest, ahead);
-    }
-    frame.depth_range = {std::max(nearest, 0.0f), farthest};
-}
-
 }  // namespace tessera::cli

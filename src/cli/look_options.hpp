@@ -26,7 +26,4 @@ bool needs_all_maps(const LookWords& words);
 /// for words that make no sense.
 void apply(const LookWords& words, const scene::Scene& scene, int exponent, render::Frame& frame);
 
-/// Sets the range of the depth view to the distances of a box in the model's frame.
-void set_depth_range(const render::Bounds& bounds, render::Frame& frame);
-
 }  // namespace tessera::cli

@@ -1,5 +1,7 @@
 #include "compare/backdrop.hpp"
 
+#include "image/srgb.hpp"
+
 #include <cmath>
 
 namespace tessera::compare {
@@ -9,8 +11,7 @@ float decode(std::uint8_t encoded) {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> values{};
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const double e = static_cast<double>(i) / 255.0;
-            values[i] = static_cast<float>(e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4));
+            values[i] = static_cast<float>(image::srgb_to_linear(static_cast<double>(i) / 255.0));
         }
         return values;
     }();

@@ -2,6 +2,8 @@
 #include "base/error.hpp"
 #include "image/image.hpp"
 
+#include "image/srgb.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -11,10 +13,9 @@ namespace tessera::image {
 
 namespace {
 
-/// Decodes an sRGB value in [0, 255] that may lie between two steps (IEC 61966-2-1).
+/// Decodes an sRGB value in [0, 255] that may lie between two steps.
 double decode_srgb(double step) {
-    const double e = step / 255.0;
-    return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4);
+    return srgb_to_linear(step / 255.0);
 }
 
 float to_linear(std::uint8_t encoded) {

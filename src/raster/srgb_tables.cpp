@@ -1,5 +1,6 @@
 #include "raster/srgb_tables.hpp"
 
+#include "image/srgb.hpp"
 #include "raster/raster_layout.h"
 
 #include <algorithm>
@@ -8,15 +9,6 @@
 
 namespace tessera::raster {
 namespace {
-
-// IEC 61966-2-1.
-double encoded(double linear) {
-    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double decoded(double code) {
-    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-}
 
 std::uint32_t bits(double value) {
     return std::bit_cast<std::uint32_t>(static_cast<float>(value));
@@ -30,22 +22,22 @@ double entry_start(std::uint32_t i) {
 }  // namespace
 
 std::uint32_t encode_srgb(double linear) {
-    return static_cast<std::uint32_t>(std::lround(encoded(std::clamp(linear, 0.0, 1.0)) * 255.0));
+    return static_cast<std::uint32_t>(std::lround(image::linear_to_srgb(std::clamp(linear, 0.0, 1.0)) * 255.0));
 }
 
 std::vector<std::uint32_t> make_srgb_tables() {
     std::vector<std::uint32_t> words(LOOK_AT);
     for (std::uint32_t code = 0; code < 256; ++code) {
-        words[SRGB_DECODE_AT + code] = bits(decoded(code / 255.0));
+        words[SRGB_DECODE_AT + code] = bits(image::srgb_to_linear(code / 255.0));
     }
     for (std::uint32_t i = 0; i < SRGB_ENCODE_ENTRIES; ++i) {
         const double from = entry_start(i);
         const double to = entry_start(i + 1);
-        const double low = encoded(from) * 255.0;
-        const double slope = (encoded(to) * 255.0 - low) / (to - from);
+        const double low = image::linear_to_srgb(from) * 255.0;
+        const double slope = (image::linear_to_srgb(to) * 255.0 - low) / (to - from);
         // The chord lies under the curve: half of its largest distance up, the error is the same on both sides.
         const double middle = (from + to) / 2.0;
-        const double below = encoded(middle) * 255.0 - (low + slope * (middle - from));
+        const double below = image::linear_to_srgb(middle) * 255.0 - (low + slope * (middle - from));
         words[SRGB_ENCODE_AT + 2 * i] = bits(low + below / 2.0);
         words[SRGB_ENCODE_AT + 2 * i + 1] = bits(slope);
     }

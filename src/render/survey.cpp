@@ -60,4 +60,16 @@ Bounds bounds_of(std::span<const Vertex> vertices) {
     return bounds;
 }
 
+glm::vec2 depth_range(const Camera& camera, const Bounds& box) {
+    glm::vec2 range(3.4e38f, -3.4e38f);
+    for (int corner = 0; corner < 8; ++corner) {
+        glm::vec3 point;
+        for (int axis = 0; axis < 3; ++axis)
+            point[axis] = (corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis];
+        const float ahead = -(camera.view * glm::vec4(point, 1.0f)).z;
+        range = {std::min(range.x, ahead), std::max(range.y, ahead)};
+    }
+    return {std::max(range.x, 0.0f), range.y};
+}
+
 }  // namespace tessera::render

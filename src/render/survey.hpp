@@ -34,4 +34,7 @@ private:
 /// The box of control vertices, for Survey.
 Bounds bounds_of(std::span<const Vertex> vertices);
 
+/// The distances from the camera's plane that a box in the model's frame spans, from 0 on.
+glm::vec2 depth_range(const Camera& camera, const Bounds& box);
+
 }  // namespace tessera::render

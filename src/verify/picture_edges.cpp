@@ -23,19 +23,6 @@ struct Views {
     }
 };
 
-/// The distances from the camera's plane that a box spans.
-glm::vec2 depth_range(const render::Camera& camera, const render::Bounds& box) {
-    glm::vec2 range(3.4e38f, -3.4e38f);
-    for (int corner = 0; corner < 8; ++corner) {
-        glm::vec3 point;
-        for (int axis = 0; axis < 3; ++axis)
-            point[axis] = (corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis];
-        const float ahead = -(camera.view * glm::vec4(point, 1.0f)).z;
-        range = {std::min(range.x, ahead), std::max(range.y, ahead)};
-    }
-    return {std::max(range.x, 0.0f), range.y};
-}
-
 Views draw_views(const gpu::Device& device, const PictureSubject& subject, render::Rasteriser& portable,
                  const render::Frame& frame) {
     render::Frame view = frame;
@@ -44,7 +31,7 @@ Views draw_views(const gpu::Device& device, const PictureSubject& subject, rende
     view.samples = 1;
     view.wires = false;
     view.background = glm::vec4(0.0f);
-    view.depth_range = depth_range(frame.camera, render::bounds_of(subject.patches.control_vertices));
+    view.depth_range = render::depth_range(frame.camera, render::bounds_of(subject.patches.control_vertices));
     const auto draw = [&](render::Shading shading) {
         view.shading = shading;
         return draw_picture(device, subject, portable, view);

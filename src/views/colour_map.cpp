@@ -1,5 +1,7 @@
 #include "views/colour_map.hpp"
 
+#include "image/srgb.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,13 +25,11 @@ constexpr std::array<std::array<std::uint8_t, 3>, 10> anchors{{{0x44, 0x01, 0x54
 constexpr std::uint32_t texture_width = 16, first_texel = 3;
 
 double linear_light(std::uint8_t code) {
-    const double x = code / 255.0;
-    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    return image::srgb_to_linear(code / 255.0);
 }
 
 std::uint8_t srgb_code(double light) {
-    const double x = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255.0 * x));
+    return static_cast<std::uint8_t>(std::lround(255.0 * image::linear_to_srgb(light)));
 }
 
 }  // namespace

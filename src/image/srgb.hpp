@@ -1,0 +1,16 @@
+// The transfer function of sRGB (IEC 61966-2-1), both ways, of values from 0 to 1.
+#pragma once
+
+#include <cmath>
+
+namespace tessera::image {
+
+inline double srgb_to_linear(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+inline double linear_to_srgb(double linear) {
+    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+}  // namespace tessera::image
