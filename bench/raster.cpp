@@ -3,7 +3,8 @@
 //
 //   build/release/bench_raster --benchmark_filter=opencl --benchmark_repetitions=5
 //
-// The mesh lies in memory; an iteration uploads, draws and reads the picture back. Kernels are compiled before the
+// "portable" draws a mesh that lies on the device, "upload" and "device" (the device's own rasteriser) one that lies in
+// memory: an iteration uploads it, where it has to, draws, and reads the picture back. Kernels are compiled before the
 // clock starts.
 #include "tessera.hpp"
 
@@ -14,6 +15,8 @@
 namespace {
 
 using namespace tessera;
+
+enum class How { portable, upload, device };
 
 const RefinedMesh& mesh_of(int segments) {
     static std::map<int, RefinedMesh> meshes;
@@ -30,7 +33,23 @@ const RefinedMesh& mesh_of(int segments) {
     return found->second;
 }
 
-void draw(benchmark::State& state, const std::string& id, bool portable, std::uint32_t samples) {
+/// The mesh in buffers of a device.
+render::DeviceDraw upload(gpu::Device device, const RefinedMesh& mesh) {
+    constexpr auto usage = gpu::BufferUsage::storage | gpu::BufferUsage::copy_destination;
+    const auto put = [&](const char* label, std::span<const std::byte> bytes) {
+        const gpu::Buffer buffer = device.create_buffer({label, bytes.size(), usage});
+        device.queue().write_buffer(buffer, 0, bytes);
+        return buffer;
+    };
+    render::DeviceDraw draw;
+    draw.vertices = put("vertices", std::as_bytes(std::span(mesh.vertices)));
+    draw.indices = put("indices", std::as_bytes(std::span(mesh.indices)));
+    draw.vertex_count = mesh.vertices.size();
+    draw.index_count = mesh.indices.size();
+    return draw;
+}
+
+void draw(benchmark::State& state, const std::string& id, How how, std::uint32_t samples) {
     const RefinedMesh& mesh = mesh_of(static_cast<int>(state.range(0)));
     render::Framing framing({}, 1.0f);
     for (const Vertex& vertex : mesh.vertices) {
@@ -39,11 +58,18 @@ void draw(benchmark::State& state, const std::string& id, bool portable, std::ui
     render::Frame frame;
     frame.camera = framing.camera();
     frame.samples = samples;
-    const auto rasteriser = portable ? raster::open_portable(backends::open_device(id)) : backends::open_rasteriser(id);
+    const bool portable = how != How::device;
+    const gpu::Device device = portable ? backends::open_device(id) : gpu::Device();
+    const auto rasteriser = portable ? raster::open_portable(device) : backends::open_rasteriser(id);
+    const auto resident = how == How::portable ? upload(device, mesh) : render::DeviceDraw{};
     const auto picture = [&] {
         rasteriser->begin(frame);
         rasteriser->set_materials({{}}, {});
-        rasteriser->draw(mesh.vertices, mesh.indices, 0);
+        if (how == How::portable) {
+            rasteriser->draw(resident);
+        } else {
+            rasteriser->draw(mesh.vertices, mesh.indices, 0);
+        }
         return rasteriser->finish();
     };
     picture();
@@ -59,9 +85,9 @@ void draw(benchmark::State& state, const std::string& id, bool portable, std::ui
 
 int main(int argc, char** argv) {
     for (const gpu::DeviceInfo& info : backends::list_devices().devices) {
-        const auto add = [&](bool portable, std::uint32_t samples) {
-            const std::string name = fmt::format("{}/{}/{}", info.id, portable ? "portable" : "device", samples);
-            benchmark::RegisterBenchmark(name.c_str(), draw, info.id, portable, samples)
+        const auto add = [&](const char* name, How how, std::uint32_t samples) {
+            const std::string whole_name = fmt::format("{}/{}/{}", info.id, name, samples);
+            benchmark::RegisterBenchmark(whole_name.c_str(), draw, info.id, how, samples)
                 ->Arg(4)
                 ->Arg(8)
                 ->Arg(16)
@@ -69,9 +95,11 @@ int main(int argc, char** argv) {
                 ->Unit(benchmark::kMillisecond);
         };
         benchmark::AddCustomContext(info.id, info.name);
-        add(true, 1);
-        add(true, 4);
-        if (info.rasteriser) add(false, 4);
+        for (const std::uint32_t samples : {1u, 4u}) {
+            add("portable", How::portable, samples);
+            add("upload", How::upload, samples);
+        }
+        if (info.rasteriser) add("device", How::device, 4);
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {

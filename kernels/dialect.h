@@ -179,7 +179,8 @@ KERNELS_END
 #define RUN_AT(first, k) (static_cast<int>(first) + static_cast<int>(k))  // signed, as in OpenCL
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 
-#define READ(slot, type, name) Read<slot, type> name
+// Kernels made of one pattern share a signature, and some have no use for all of it.
+#define READ(slot, type, name) [[maybe_unused]] Read<slot, type> name
 #define WRITE(slot, type, name) Write<slot, type> name
 #define UNIFORM(slot, type, name) Uniform<slot, type> name
 #define LOAD_UNIFORM(name) (*name)

@@ -18,7 +18,7 @@ scene:              base image
 patches:            base kernels scene
 tessellate:         base kernels gpu patches
 export:             base scene tessellate
-render:             base image scene tessellate
+render:             base gpu image scene tessellate
 views:              base kernels gpu image patches scene tessellate render
 raster:             base kernels gpu image scene tessellate render
 measure:            base gpu image patches scene tessellate render

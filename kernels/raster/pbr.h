@@ -107,18 +107,18 @@ KERNELS_END
 
 // A step of shading (shading.h), after SHADE_NORMAL: declares the frame of normal maps, in camera space. On the side
 // that is seen from behind all its vectors are turned round, so that the cross product has to be turned once more.
-#define SHADE_TANGENT(p, triangle, back)                                                                               \
-    const uint at_a = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u]);                                                    \
-    const uint at_b = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 1u]);                                               \
-    const uint at_c = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 2u]);                                               \
-    const Vector model_tangent =                                                                                       \
-        weigh_vectors(inside, frame_vector(LOAD_VECTOR(vertices, at_a + 4u)),                                          \
-                      frame_vector(LOAD_VECTOR(vertices, at_b + 4u)), frame_vector(LOAD_VECTOR(vertices, at_c + 4u))); \
-    const float visible_side = choose(back, -1.0f, 1.0f);                                                              \
-    const float handedness =                                                                                           \
-        visible_side * weigh(inside, frame_component(vertices[at_a + 7u]), frame_component(vertices[at_b + 7u]),       \
-                             frame_component(vertices[at_c + 7u]));                                                    \
-    const Vector frame_normal = turn_to_camera(p, scale(model_normal, visible_side));                                  \
+#define SHADE_TANGENT(p, triangle, back)                                                                             \
+    const uint at_a = VERTEX_ATTRIBUTES(p, (triangle)*3u);                                                           \
+    const uint at_b = VERTEX_ATTRIBUTES(p, (triangle)*3u + 1u);                                                      \
+    const uint at_c = VERTEX_ATTRIBUTES(p, (triangle)*3u + 2u);                                                      \
+    const Vector model_tangent = weigh_vectors(inside, frame_vector(LOAD_VECTOR(attributes, at_a + 4u)),             \
+                                               frame_vector(LOAD_VECTOR(attributes, at_b + 4u)),                     \
+                                               frame_vector(LOAD_VECTOR(attributes, at_c + 4u)));                    \
+    const float visible_side = choose(back, -1.0f, 1.0f);                                                            \
+    const float handedness =                                                                                         \
+        visible_side * weigh(inside, frame_component(attributes[at_a + 7u]), frame_component(attributes[at_b + 7u]), \
+                             frame_component(attributes[at_c + 7u]));                                                \
+    const Vector frame_normal = turn_to_camera(p, scale(model_normal, visible_side));                                \
     const Vector frame_tangent = turn_to_camera(p, scale(model_tangent, visible_side));
 
 // Steps of shading, after SHADE_MAPS, SHADE_NORMAL and SHADE_TANGENT.

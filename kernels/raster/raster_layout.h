@@ -1,7 +1,7 @@
 // Buffers, limits and parameters of the portable rasteriser, shared by its kernels and the host.
 //
 //   transform   vertices                        -> screen vertices: fixed-point place, depth, outcode
-//   setup       screen vertices, indices        -> records and bounds, one per triangle
+//   setup       screen vertices, indices        -> bounds and records, one of each per triangle
 //   clip        vertices, indices, bounds       -> polygons of the triangles that are large or need clipping
 //   count       bounds                          -> counts[block][tile]
 //   columns     counts                          -> exclusive sums down each column; totals per tile
@@ -12,7 +12,10 @@
 //   forward     lists, records, vertices        -> depth and colours, in order             (masked and blended ones)
 //   resolve     colours                         -> picture
 //
-// `vertices` holds vertices, then their colours and tangents (layout.h), then one such record for draws without.
+// `vertices` and `indices` may be a tessellator's output as it lies on the device, or part of it; `attributes` has the
+// colours and tangents of the same vertices (layout.h), or one record for draws without.
+//
+// `triangles` holds the bounds of all triangles of a batch, then their records, then their polygons.
 //
 // `bins` holds the starts of the tiles' lists and the end of the last one, the numbers of the tiles that have any
 // triangle, and at `list_at` the lists.
@@ -63,7 +66,7 @@
 #define TRIANGLE_BACK 2u
 #define SMALL_EXTENT 16384
 
-// Behind the records lie the polygons of triangles that are not small: number of corners, then x, y and depth of each.
+// Polygon of a triangle that is not small: number of corners, then x, y and depth of each.
 #define POLYGON_CORNERS 8u
 #define POLYGON_WORDS 25u
 
@@ -182,15 +185,17 @@ STRUCT(DrawParams) {
     uint texture_width, texture_height, texture_levels;
     uint shading;
     uint wires;  // 1: edges of triangles over the shading
-    // Colours and tangents of vertices (layout.h): the first word of those of vertex 0 in `vertices`, and words to the
-    // next; 0 where all vertices share one record.
-    uint attributes_at, attribute_stride;
+    // The draw's first vertex in `vertices` and `attributes`, and the index that names it.
+    uint first_vertex, index_base;
+    uint index_at;          // first word of the batch in `indices`
+    uint attribute_stride;  // words from one vertex's attributes to the next; 0 where all share one record
     // How items share out the work.
     uint tile_count;   // tiles that have a list
     uint list_at;      // first word of the lists in `bins`
     uint first_entry;  // of each list
     uint entry_count;  // of each list; in stages without lists the vertices, triangles or pixels of an item
-    uint polygons_at;  // first word of the polygons in `records`
+    uint records_at;   // first word of the records in `triangles`
+    uint polygons_at;  // first word of the polygons in `triangles`
     uint spread_log2;  // every 2^n-th item has (a part of) a tile
     uint parts_log2;   // 2^n items share a tile, a band of rows each
 };

@@ -103,4 +103,7 @@ FUNCTION ScreenPoint to_screen(DrawParams p, ClipPoint c) {
 
 KERNELS_END
 
+/// The place in `vertices` and `attributes` of the vertex that word i of a batch's indices names.
+#define DRAW_VERTEX(p, i) ((p).first_vertex + (indices[(p).index_at + (i)] - (p).index_base))
+
 #endif

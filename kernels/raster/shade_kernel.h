@@ -12,8 +12,8 @@
 
 KERNELS_BEGIN
 
-KERNEL7(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint, colours), READ(3, float, vertices),
-        READ(4, uint, indices), READ(5, uint, texels), UNIFORM(6, DrawParams, params)) {
+KERNEL8(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint, colours), READ(3, float, vertices),
+        READ(4, uint, indices), READ(5, float, attributes), READ(6, uint, texels), UNIFORM(7, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const uint begin = ITEM * p.entry_count;
     if (begin >= p.tile_count * RASTER_TILE_PIXELS) {

@@ -130,11 +130,11 @@ KERNELS_END
                 vertices[(vertex)*8u + 6u], vertices[(vertex)*8u + 7u])
 
 // The steps of shading a triangle in the pixel (px, py) of the image, as macros because they read the buffers vertices,
-// indices and texels. Each declares what later ones use.
+// indices, attributes and texels. Each declares what later ones use.
 #define SHADE_CORNERS(p, triangle, px, py)                                                         \
-    const Corner ca = LOAD_CORNER(p, indices[(triangle)*3u]);                                      \
-    const Corner cb = LOAD_CORNER(p, indices[(triangle)*3u + 1u]);                                 \
-    const Corner cc = LOAD_CORNER(p, indices[(triangle)*3u + 2u]);                                 \
+    const Corner ca = LOAD_CORNER(p, DRAW_VERTEX(p, (triangle)*3u));                               \
+    const Corner cb = LOAD_CORNER(p, DRAW_VERTEX(p, (triangle)*3u + 1u));                          \
+    const Corner cc = LOAD_CORNER(p, DRAW_VERTEX(p, (triangle)*3u + 2u));                          \
     const Weights weights = pixel_weights(p, ca, cb, cc, px, py);                                  \
     const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
     const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);   \
@@ -147,20 +147,23 @@ KERNELS_END
 #define SHADE_INSIDE const Weights inside = weights_inside(weights, across, down);
 
 // Multiplies `base` by the colours of the vertices.
-#define VERTEX_ATTRIBUTES(p, vertex) ((p).attributes_at + (vertex) * (p).attribute_stride)
-#define SHADE_VERTEX_COLOUR(p, triangle)                                                                               \
-    {                                                                                                                  \
-        const uint at_a = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u]);                                                \
-        const uint at_b = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 1u]);                                           \
-        const uint at_c = VERTEX_ATTRIBUTES(p, indices[(triangle)*3u + 2u]);                                           \
-        const float red_share = blend_shares(inside, vertices[at_a], vertices[at_b], vertices[at_c]);                  \
-        const float green_share = blend_shares(inside, vertices[at_a + 1u], vertices[at_b + 1u], vertices[at_c + 1u]); \
-        const float blue_share = blend_shares(inside, vertices[at_a + 2u], vertices[at_b + 2u], vertices[at_c + 2u]);  \
-        const float alpha_share = blend_shares(inside, vertices[at_a + 3u], vertices[at_b + 3u], vertices[at_c + 3u]); \
-        base.red = flush_tiny(base.red) * red_share;                                                                   \
-        base.green = flush_tiny(base.green) * green_share;                                                             \
-        base.blue = flush_tiny(base.blue) * blue_share;                                                                \
-        base.alpha = flush_tiny(base.alpha) * alpha_share;                                                             \
+#define VERTEX_ATTRIBUTES(p, i) (DRAW_VERTEX(p, i) * (p).attribute_stride)
+#define SHADE_VERTEX_COLOUR(p, triangle)                                                                    \
+    {                                                                                                       \
+        const uint at_a = VERTEX_ATTRIBUTES(p, (triangle)*3u);                                              \
+        const uint at_b = VERTEX_ATTRIBUTES(p, (triangle)*3u + 1u);                                         \
+        const uint at_c = VERTEX_ATTRIBUTES(p, (triangle)*3u + 2u);                                         \
+        const float red_share = blend_shares(inside, attributes[at_a], attributes[at_b], attributes[at_c]); \
+        const float green_share =                                                                           \
+            blend_shares(inside, attributes[at_a + 1u], attributes[at_b + 1u], attributes[at_c + 1u]);      \
+        const float blue_share =                                                                            \
+            blend_shares(inside, attributes[at_a + 2u], attributes[at_b + 2u], attributes[at_c + 2u]);      \
+        const float alpha_share =                                                                           \
+            blend_shares(inside, attributes[at_a + 3u], attributes[at_b + 3u], attributes[at_c + 3u]);      \
+        base.red = flush_tiny(base.red) * red_share;                                                        \
+        base.green = flush_tiny(base.green) * green_share;                                                  \
+        base.blue = flush_tiny(base.blue) * blue_share;                                                     \
+        base.alpha = flush_tiny(base.alpha) * alpha_share;                                                  \
     }
 
 // Multiplies `base` by the texture. The next level is read even where it has no weight: a branch would cost more.

@@ -86,11 +86,11 @@ KERNELS_END
 /// Where `bins` numbers the tiles that have lists.
 #define LISTED_TILES_AT(p) ((p).tiles_x * (p).tiles_y + 1u)
 
-#define LOAD_SMALL_TRIANGLE(records, at, flags)                                                                  \
-    unpack_triangle(records[at], records[(at) + 1u], records[(at) + 2u], records[(at) + 3u], records[(at) + 4u], \
-                    records[(at) + 5u], records[(at) + 6u], flags)
-#define LOAD_POLYGON_CORNER(records, at, corner)                                              \
-    make_screen_point(records[(at) + 1u + 3u * (corner)], records[(at) + 2u + 3u * (corner)], \
-                      records[(at) + 3u + 3u * (corner)])
+#define LOAD_SMALL_TRIANGLE(triangles, at, flags)                                                    \
+    unpack_triangle(triangles[at], triangles[(at) + 1u], triangles[(at) + 2u], triangles[(at) + 3u], \
+                    triangles[(at) + 4u], triangles[(at) + 5u], triangles[(at) + 6u], flags)
+#define LOAD_POLYGON_CORNER(triangles, at, corner)                                                \
+    make_screen_point(triangles[(at) + 1u + 3u * (corner)], triangles[(at) + 2u + 3u * (corner)], \
+                      triangles[(at) + 3u + 3u * (corner)])
 
 #endif

@@ -6,16 +6,16 @@
 
 KERNELS_BEGIN
 
-KERNEL5(raster_clip, READ(0, float, vertices), READ(1, uint, indices), WRITE(2, uint, records), WRITE(3, uint, bounds),
-        UNIFORM(4, DrawParams, params)) {
+KERNEL4(raster_clip, READ(0, float, vertices), READ(1, uint, indices), WRITE(2, uint, triangles),
+        UNIFORM(3, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const uint triangle = ITEM;
     if (triangle >= p.triangle_count) {
         return;
     }
-    const uint columns = bounds[triangle * BOUNDS_WORDS];
+    const uint columns = triangles[triangle * BOUNDS_WORDS];
     const bool clipped = columns == BOUNDS_UNKNOWN;
-    if (columns == BOUNDS_EMPTY || (records[triangle * TRIANGLE_WORDS + 7u] & TRIANGLE_SMALL) != 0u) {
+    if (columns == BOUNDS_EMPTY || (triangles[p.records_at + triangle * TRIANGLE_WORDS + 7u] & TRIANGLE_SMALL) != 0u) {
         return;
     }
     // Two polygons: corners from `from` on are read, those from `to` on are written.
@@ -23,7 +23,7 @@ KERNEL5(raster_clip, READ(0, float, vertices), READ(1, uint, indices), WRITE(2, 
     uint from = 0u;
     uint count = 3u;
     for (uint i = 0u; i < 3u; ++i) {
-        const uint at = indices[triangle * 3u + i] * 8u;
+        const uint at = DRAW_VERTEX(p, triangle * 3u + i) * 8u;
         corners[i] = to_clip_space(p, vertices[at], vertices[at + 1u], vertices[at + 2u]);
     }
     for (uint plane = 0u; plane < (clipped ? CLIP_PLANES : 0u); ++plane) {
@@ -67,15 +67,15 @@ KERNEL5(raster_clip, READ(0, float, vertices), READ(1, uint, indices), WRITE(2, 
         right = larger(right, s.x);
         top = smaller(top, s.y);
         bottom = larger(bottom, s.y);
-        records[at + 1u + 3u * i] = to_uint(s.x);
-        records[at + 2u + 3u * i] = to_uint(s.y);
-        records[at + 3u + 3u * i] = float_bits(s.z);
+        triangles[at + 1u + 3u * i] = to_uint(s.x);
+        triangles[at + 2u + 3u * i] = to_uint(s.y);
+        triangles[at + 3u + 3u * i] = float_bits(s.z);
     }
     const bool gone = count < 3u || (codes & (OUT_CLIP | OUT_INVALID)) != 0u;
-    records[at] = gone ? 0u : count;
+    triangles[at] = gone ? 0u : count;
     const RasterBounds box = make_bounds(p, left, right, top, bottom);
-    bounds[triangle * BOUNDS_WORDS] = gone ? BOUNDS_EMPTY : box.columns;
-    bounds[triangle * BOUNDS_WORDS + 1u] = gone ? BOUNDS_EMPTY : box.rows;
+    triangles[triangle * BOUNDS_WORDS] = gone ? BOUNDS_EMPTY : box.columns;
+    triangles[triangle * BOUNDS_WORDS + 1u] = gone ? BOUNDS_EMPTY : box.rows;
 }
 
 KERNELS_END

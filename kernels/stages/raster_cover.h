@@ -25,8 +25,8 @@
 
 KERNELS_BEGIN
 
-KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), WRITE(3, uint, depths),
-        WRITE(4, uint, visible), UNIFORM(5, DrawParams, params)) {
+KERNEL5(raster_cover, READ(0, uint, bins), READ(1, uint, triangles), WRITE(2, uint, depths), WRITE(3, uint, visible),
+        UNIFORM(4, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const uint listed = listed_tile_of(p, ITEM);
     if (listed >= p.tile_count) {
@@ -43,16 +43,16 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
     const int axis_mask = (1 << p.axis_log2) - 1;
     for (uint n = first; n < last; ++n) {
         const uint triangle = bins[n];
-        const uint columns = bounds[triangle * BOUNDS_WORDS];
-        const uint rows = bounds[triangle * BOUNDS_WORDS + 1u];
+        const uint columns = triangles[triangle * BOUNDS_WORDS];
+        const uint rows = triangles[triangle * BOUNDS_WORDS + 1u];
         const int first_row = larger(to_int(rows & 0xffffu), part.first_row);
         const int last_row = smaller(to_int(rows >> 16u), part.last_row);
         const int first_column = larger(to_int(columns & 0xffffu), part.first_column);
         const int last_column = smaller(to_int(columns >> 16u), part.last_column);
-        const uint at = triangle * TRIANGLE_WORDS;
-        const uint flags = records[at + 7u];
+        const uint at = p.records_at + triangle * TRIANGLE_WORDS;
+        const uint flags = triangles[at + 7u];
         if ((flags & TRIANGLE_SMALL) != 0u) {
-            const RasterTriangle t = LOAD_SMALL_TRIANGLE(records, at, flags);
+            const RasterTriangle t = LOAD_SMALL_TRIANGLE(triangles, at, flags);
             const int least2 = edge_least(t.dx1, t.dy1);
             const int least1 = edge_least(-t.dx2, -t.dy2);
             const int least0 = edge_least(t.dx2 - t.dx1, t.dy2 - t.dy1);
@@ -105,11 +105,11 @@ KERNEL6(raster_cover, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
             box.top = origin_y + (first_row << unit_log2);
             box.bottom = origin_y + (last_row << unit_log2);
             const uint polygon = p.polygons_at + triangle * POLYGON_WORDS;
-            const uint corners = records[polygon];
+            const uint corners = triangles[polygon];
             for (uint corner = 2u; corner < corners; ++corner) {
-                const RasterTriangle t = make_raster_triangle(LOAD_POLYGON_CORNER(records, polygon, 0u),
-                                                              LOAD_POLYGON_CORNER(records, polygon, corner - 1u),
-                                                              LOAD_POLYGON_CORNER(records, polygon, corner), p.cull);
+                const RasterTriangle t = make_raster_triangle(LOAD_POLYGON_CORNER(triangles, polygon, 0u),
+                                                              LOAD_POLYGON_CORNER(triangles, polygon, corner - 1u),
+                                                              LOAD_POLYGON_CORNER(triangles, polygon, corner), p.cull);
                 if (!t.drawn || misses(t, box)) {
                     continue;
                 }

@@ -3,7 +3,7 @@
 
 KERNELS_BEGIN
 
-KERNEL4(raster_fill, READ(0, uint, bounds), WRITE(1, uint, counts), WRITE(2, uint, bins),
+KERNEL4(raster_fill, READ(0, uint, triangles), WRITE(1, uint, counts), WRITE(2, uint, bins),
         UNIFORM(3, BinParams, params)) {
     const BinParams p = LOAD_UNIFORM(params);
     const uint block = block_of(p, ITEM);
@@ -15,11 +15,11 @@ KERNEL4(raster_fill, READ(0, uint, bounds), WRITE(1, uint, counts), WRITE(2, uin
     const uint last = end < p.triangle_count ? end : p.triangle_count;
     for (uint i = block * p.block; i < last; ++i) {
         const uint triangle = p.first_triangle + i;
-        const uint columns = bounds[triangle * BOUNDS_WORDS];
+        const uint columns = triangles[triangle * BOUNDS_WORDS];
         if (columns == BOUNDS_EMPTY) {
             continue;
         }
-        const TileSpan s = tiles_of(p, columns, bounds[triangle * BOUNDS_WORDS + 1u]);
+        const TileSpan s = tiles_of(p, columns, triangles[triangle * BOUNDS_WORDS + 1u]);
         for (int y = s.first_y; y <= s.last_y; ++y) {
             for (int x = s.first_x; x <= s.last_x; ++x) {
                 const uint tile = to_uint(y) * p.tiles_x + to_uint(x);

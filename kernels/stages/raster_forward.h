@@ -11,8 +11,8 @@
 
 KERNELS_BEGIN
 
-KERNEL9(FORWARD_NAME, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, records), READ(3, float, vertices),
-        READ(4, uint, indices), READ(5, uint, texels), WRITE(6, uint, depths), WRITE(7, uint, colours),
+KERNEL9(FORWARD_NAME, READ(0, uint, bins), READ(1, uint, triangles), READ(2, float, vertices), READ(3, uint, indices),
+        READ(4, float, attributes), READ(5, uint, texels), WRITE(6, uint, depths), WRITE(7, uint, colours),
         UNIFORM(8, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const uint listed = listed_tile_of(p, ITEM);
@@ -28,25 +28,25 @@ KERNEL9(FORWARD_NAME, READ(0, uint, bins), READ(1, uint, bounds), READ(2, uint, 
     const int origin_y = (1 << (unit_log2 - 1u)) - to_int(p.rows << (unit_log2 - 1u));
     for (uint n = first; n < last; ++n) {
         const uint triangle = bins[n];
-        const uint columns = bounds[triangle * BOUNDS_WORDS];
-        const uint rows = bounds[triangle * BOUNDS_WORDS + 1u];
+        const uint columns = triangles[triangle * BOUNDS_WORDS];
+        const uint rows = triangles[triangle * BOUNDS_WORDS + 1u];
         const int first_y = larger(to_int(rows & 0xffffu), part.first_row) >> p.axis_log2;
         const int last_y = smaller(to_int(rows >> 16u), part.last_row) >> p.axis_log2;
         const int first_x = larger(to_int(columns & 0xffffu), part.first_column) >> p.axis_log2;
         const int last_x = smaller(to_int(columns >> 16u), part.last_column) >> p.axis_log2;
-        const uint at = triangle * TRIANGLE_WORDS;
-        const uint flags = records[at + 7u];
+        const uint at = p.records_at + triangle * TRIANGLE_WORDS;
+        const uint flags = triangles[at + 7u];
         const bool small = (flags & TRIANGLE_SMALL) != 0u;
         const uint polygon = p.polygons_at + (small ? 0u : triangle) * POLYGON_WORDS;
-        const uint corners = small ? 3u : records[polygon];
+        const uint corners = small ? 3u : triangles[polygon];
         for (uint corner = 2u; corner < corners; ++corner) {
             RasterTriangle t;
             if (small) {
-                t = LOAD_SMALL_TRIANGLE(records, at, flags);
+                t = LOAD_SMALL_TRIANGLE(triangles, at, flags);
             } else {
-                t = make_raster_triangle(LOAD_POLYGON_CORNER(records, polygon, 0u),
-                                         LOAD_POLYGON_CORNER(records, polygon, corner - 1u),
-                                         LOAD_POLYGON_CORNER(records, polygon, corner), p.cull);
+                t = make_raster_triangle(LOAD_POLYGON_CORNER(triangles, polygon, 0u),
+                                         LOAD_POLYGON_CORNER(triangles, polygon, corner - 1u),
+                                         LOAD_POLYGON_CORNER(triangles, polygon, corner), p.cull);
             }
             if (!t.drawn) {
                 continue;

@@ -1,18 +1,22 @@
 // Screen vertices -> records and bounds of triangles, runs of them. What needs clipping is left to raster_clip. The
-// last run of a draw may go beyond its triangles: the buffers hold whole runs, and old indices are as good as any.
+// last run of a batch repeats its last triangle: `triangles` has room for whole runs. A triangle with an index beyond
+// the draw's vertices is dropped here, and no later stage looks at it.
 #include "raster/triangle_setup.h"
 
-#define LOAD_SCREEN_POINT(to, vertex)                             \
-    ScreenPoint to;                                               \
-    to.x = to_int(screen[(vertex)*SCREEN_VERTEX_WORDS]);          \
-    to.y = to_int(screen[(vertex)*SCREEN_VERTEX_WORDS + 1u]);     \
-    to.z = bits_float(screen[(vertex)*SCREEN_VERTEX_WORDS + 2u]); \
-    to.code = screen[(vertex)*SCREEN_VERTEX_WORDS + 3u]
+#define LOAD_SCREEN_POINT(to, index)                                                     \
+    const uint to##_vertex = (index)-p.index_base;                                       \
+    const bool to##_there = to##_vertex < p.vertex_count;                                \
+    const uint to##_at = choose_bits(to##_there, to##_vertex, 0u) * SCREEN_VERTEX_WORDS; \
+    ScreenPoint to;                                                                      \
+    to.x = to_int(screen[to##_at]);                                                      \
+    to.y = to_int(screen[to##_at + 1u]);                                                 \
+    to.z = bits_float(screen[to##_at + 2u]);                                             \
+    to.code = screen[to##_at + 3u] | choose_bits(to##_there, 0u, OUT_INVALID)
 
 KERNELS_BEGIN
 
-KERNEL5(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, uint, records), WRITE(3, uint, bounds),
-        UNIFORM(4, DrawParams, params)) {
+KERNEL4(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, uint, triangles),
+        UNIFORM(3, DrawParams, params)) {
     const DrawParams p = LOAD_UNIFORM(params);
     const uint begin = ITEM * p.entry_count;
     const uint end = begin + p.entry_count < p.triangle_count ? begin + p.entry_count : p.triangle_count;
@@ -21,10 +25,10 @@ KERNEL5(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, ui
         uint rows[RUN];
         uint run[RUN * TRIANGLE_WORDS];
         FOR_RUN(k) {
-            const uint i = first_of_run + k;
-            LOAD_SCREEN_POINT(a, indices[i * 3u]);
-            LOAD_SCREEN_POINT(b, indices[i * 3u + 1u]);
-            LOAD_SCREEN_POINT(c, indices[i * 3u + 2u]);
+            const uint i = p.index_at + (first_of_run + k < end ? first_of_run + k : end - 1u) * 3u;
+            LOAD_SCREEN_POINT(a, indices[i]);
+            LOAD_SCREEN_POINT(b, indices[i + 1u]);
+            LOAD_SCREEN_POINT(c, indices[i + 2u]);
             const RasterTriangle t = make_raster_triangle(a, b, c, p.cull);
             const int left = smaller(a.x, smaller(b.x, c.x));
             const int right = larger(a.x, larger(b.x, c.x));
@@ -53,11 +57,11 @@ KERNEL5(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, ui
         }
         for (uint k = 0u; k < RUN; ++k) {
             const uint i = first_of_run + k;
-            bounds[i * BOUNDS_WORDS] = columns[k];
-            bounds[i * BOUNDS_WORDS + 1u] = rows[k];
+            triangles[i * BOUNDS_WORDS] = columns[k];
+            triangles[i * BOUNDS_WORDS + 1u] = rows[k];
             if (columns[k] != BOUNDS_EMPTY) {
                 for (uint word = 0u; word < TRIANGLE_WORDS; ++word) {
-                    records[i * TRIANGLE_WORDS + word] = run[word * RUN + k];
+                    triangles[p.records_at + i * TRIANGLE_WORDS + word] = run[word * RUN + k];
                 }
             }
         }

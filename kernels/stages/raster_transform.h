@@ -1,5 +1,5 @@
-// Vertices -> screen vertices, runs of them. The last run of a draw may go beyond its vertices: the buffers hold whole
-// runs.
+// Vertices -> screen vertices, runs of them. The last run of a draw repeats its last vertex: screen vertices have room
+// for whole runs.
 #include "raster/screen.h"
 
 KERNELS_BEGIN
@@ -11,7 +11,7 @@ KERNEL3(raster_transform, READ(0, float, vertices), WRITE(1, uint, screen), UNIF
     for (uint first = begin; first < end; first = first + RUN) {
         uint run[RUN * SCREEN_VERTEX_WORDS];
         FOR_RUN(k) {
-            const uint at = (first + k) * 8u;
+            const uint at = (p.first_vertex + (first + k < end ? first + k : end - 1u)) * 8u;
             const ScreenPoint s = to_screen(p, to_clip_space(p, vertices[at], vertices[at + 1u], vertices[at + 2u]));
             run[k * SCREEN_VERTEX_WORDS] = to_uint(s.x);
             run[k * SCREEN_VERTEX_WORDS + 1u] = to_uint(s.y);

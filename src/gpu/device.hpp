@@ -33,6 +33,8 @@ class Buffer {
 public:
     Buffer() = default;
     explicit operator bool() const { return state_ != nullptr; }
+    /// Whether two handles share one object.
+    bool operator==(const Buffer&) const = default;
     std::uint64_t size() const;  ///< bytes
     const std::string& label() const;
     /// Frees the memory now, once work already submitted is done; any later use of any copy of this handle throws.
@@ -140,6 +142,8 @@ class Device {
 public:
     Device() = default;
     explicit Device(std::unique_ptr<Backend> backend);
+    /// Whether two handles share one object.
+    bool operator==(const Device&) const = default;
 
     const DeviceInfo& info() const;
     const Limits& limits() const { return info().limits; }

@@ -1,6 +1,7 @@
 #include "raster/portable_rasteriser.hpp"
 
 #include "base/error.hpp"
+#include "raster/draw_uploads.hpp"
 #include "raster/look.hpp"
 #include "raster/raster_pipeline.hpp"
 #include "raster/srgb_tables.hpp"
@@ -37,7 +38,8 @@ std::uint32_t packed(const glm::vec4& colour) {
 
 class PortableRasteriser final : public render::Rasteriser {
 public:
-    explicit PortableRasteriser(const gpu::Device& device) : device_(device), pipeline_(device), textures_(device) {}
+    explicit PortableRasteriser(const gpu::Device& device)
+        : device_(device), uploads_(device), pipeline_(device), textures_(device) {}
 
     void begin(const render::Frame& frame) override {
         check(frame);
@@ -70,14 +72,19 @@ public:
     void draw(const render::Draw& draw) override {
         require(State::drawing, "draw", "set_materials");
         render::check_draw(draw, materials_.size());
-        const TexelBuffer& texture = textures_.of(draw.material);
-        kernels::DrawParams params = frame_;
-        set_material(params, materials_[draw.material], texture);
         for (auto indices = draw.indices; !indices.empty();) {
             const render::TriangleBatch batch = render::take_batch(indices, draw.vertices.size());
-            pipeline_.draw(batch, draw, params, texture);
+            draw_checked(uploads_.upload(batch, draw));
             indices = indices.subspan(batch.indices.size());
         }
+    }
+
+    bool draws_from(const gpu::Device& device) const override { return device == device_; }
+
+    void draw(const render::DeviceDraw& draw) override {
+        require(State::drawing, "draw", "set_materials");
+        render::check_draw(draw, materials_.size());
+        draw_checked(draw);
     }
 
     image::Image finish() override {
@@ -114,7 +121,15 @@ private:
         }
     }
 
+    void draw_checked(const render::DeviceDraw& draw) {
+        const TexelBuffer& texture = textures_.of(draw.material);
+        kernels::DrawParams params = frame_;
+        set_material(params, materials_[draw.material], texture);
+        pipeline_.draw(draw, params, texture);
+    }
+
     gpu::Device device_;
+    DrawUploads uploads_;
     RasterPipeline pipeline_;
     TexelBuffers textures_;
     std::vector<RasterWindow> windows_;

@@ -8,11 +8,13 @@
 namespace tessera::raster {
 namespace {
 
-constexpr std::uint64_t most_triangles = render::TriangleBatch::max_triangles;
-constexpr std::uint64_t most_vertices = 3 * most_triangles;
-// `vertices` holds vertices, their attributes, and one record of attributes for vertices that have none.
-constexpr std::uint64_t attributes_at = most_vertices * sizeof(Vertex);
-constexpr std::uint64_t no_attributes_at = attributes_at + most_vertices * sizeof(VertexAttributes);
+// Triangles that are set up, sorted and drawn at a time, and where `triangles` has what belongs to them, in words.
+constexpr std::uint64_t most_triangles = std::uint64_t{1} << 17;
+constexpr std::uint64_t records_at = most_triangles * BOUNDS_WORDS;
+constexpr std::uint64_t polygons_at = records_at + most_triangles * TRIANGLE_WORDS;
+constexpr std::uint64_t triangle_words = polygons_at + most_triangles * POLYGON_WORDS;
+constexpr std::uint64_t screen_vertex_bytes = SCREEN_VERTEX_WORDS * 4;
+constexpr std::uint64_t whole_run = 16;  // the longest run of vertices that a kernel stores at once
 constexpr std::uint32_t depth_one = 0x3f800000u;
 constexpr std::uint32_t nothing_visible = 0xffffffffu;  // VISIBLE_NONE
 constexpr std::uint32_t first_list_words = 1u << 20;
@@ -36,16 +38,10 @@ RasterPipeline::RasterPipeline(const gpu::Device& device)
     : device_(device),
       launch_(choose_launch(device.info())),
       parameters_(device_, 8),
-      vertices_(storage("vertices to draw", no_attributes_at + sizeof(VertexAttributes))),
-      indices_(storage("indices to draw", most_triangles * 3 * 4)),
-      screen_(storage("screen vertices", most_vertices * SCREEN_VERTEX_WORDS * 4)),
-      records_(storage("triangle records", most_triangles * (TRIANGLE_WORDS + POLYGON_WORDS) * 4)),
-      bounds_(storage("triangle bounds", most_triangles * BOUNDS_WORDS * 4)) {
+      no_attributes_(storage("attributes of vertices without", sizeof(VertexAttributes))),
+      triangles_(storage("bounds, records and polygons of triangles", triangle_words * 4)) {
     const VertexAttributes no_attributes{};
-    device_.queue().write_buffer(vertices_, no_attributes_at, std::as_bytes(std::span(&no_attributes, 1)));
-    transform_ = Stage(device_, "raster_transform", {vertices_, screen_}, parameters_);
-    setup_ = Stage(device_, "raster_setup", {screen_, indices_, records_, bounds_}, parameters_);
-    clip_ = Stage(device_, "raster_clip", {vertices_, indices_, records_, bounds_}, parameters_);
+    device_.queue().write_buffer(no_attributes_, 0, std::as_bytes(std::span(&no_attributes, 1)));
 }
 
 gpu::Buffer RasterPipeline::storage(const char* label, std::uint64_t bytes) {
@@ -70,6 +66,8 @@ void RasterPipeline::begin(std::vector<RasterWindow>& windows, std::uint32_t sam
     windows_ = &windows;
     samples_ = samples;
     draw_stages_.clear();
+    vertices_ = indices_ = attributes_ = {};  // those of the last picture may be gone
+    transform_ = setup_ = clip_ = {};
     std::uint32_t tiles = 0;
     for (const RasterWindow& window : windows) {
         tiles = std::max(tiles, window.tiles());
@@ -96,7 +94,7 @@ void RasterPipeline::create_tile_buffers(std::uint32_t tiles) {
         const std::uint64_t blocks = (most_triangles + launch_.block - 1) / launch_.block;
         counts_ = storage("triangles per block and tile", blocks * tiles * 4);
         totals_ = storage("triangles per tile", std::uint64_t{tiles} * 4);
-        count_ = Stage(device_, "raster_count", {bounds_, counts_}, parameters_);
+        count_ = Stage(device_, "raster_count", {triangles_, counts_}, parameters_);
         columns_ = Stage(device_, "raster_columns", {counts_, totals_}, parameters_);
         bins_ = {};
     }
@@ -107,15 +105,15 @@ void RasterPipeline::reserve_lists(std::uint32_t tiles, std::uint64_t words) {
     const std::uint64_t bytes = (2 * std::uint64_t{tiles} + 1 + words) * 4;
     if (bins_ && bins_.size() >= bytes) return;
     bins_ = storage("lists of tiles", bytes);
-    fill_ = Stage(device_, "raster_fill", {bounds_, counts_, bins_}, parameters_);
+    fill_ = Stage(device_, "raster_fill", {triangles_, counts_, bins_}, parameters_);
     draw_stages_.clear();
 }
 
 const Stage& RasterPipeline::cover_stage(std::size_t window) {
     const auto [found, is_new] = draw_stages_.try_emplace({window, nullptr, "raster_cover"});
     if (is_new) {
-        found->second = Stage(device_, "raster_cover", {bins_, bounds_, records_, (*windows_)[window].depths, visible_},
-                              parameters_);
+        found->second =
+            Stage(device_, "raster_cover", {bins_, triangles_, (*windows_)[window].depths, visible_}, parameters_);
     }
     return found->second;
 }
@@ -127,53 +125,49 @@ const Stage& RasterPipeline::shade_stage(std::size_t window, std::string_view ke
         found->second =
             kernel.starts_with("raster_forward")
                 ? Stage(device_, kernel,
-                        {bins_, bounds_, records_, vertices_, indices_, texture.buffer, w.depths, w.colours},
+                        {bins_, triangles_, vertices_, indices_, attributes_, texture.buffer, w.depths, w.colours},
                         parameters_)
-                : Stage(device_, kernel, {bins_, visible_, w.colours, vertices_, indices_, texture.buffer},
+                : Stage(device_, kernel, {bins_, visible_, w.colours, vertices_, indices_, attributes_, texture.buffer},
                         parameters_);
     }
     return found->second;
 }
 
-void RasterPipeline::draw(const render::TriangleBatch& batch, const render::Draw& draw, kernels::DrawParams params,
-                          const TexelBuffer& texture) {
-    upload(batch, draw);
-    params.attributes_at = static_cast<std::uint32_t>((draw.attributes.empty() ? no_attributes_at : attributes_at) / 4);
-    params.attribute_stride = draw.attributes.empty() ? 0 : ATTRIBUTE_FLOATS;
-    params.triangle_count = static_cast<std::uint32_t>(batch.indices.size() / 3);
-    params.vertex_count = static_cast<std::uint32_t>(batch.is_local() ? batch.vertex_count : batch.indices.size());
-    params.polygons_at = static_cast<std::uint32_t>(most_triangles * TRIANGLE_WORDS);
+void RasterPipeline::bind(const render::DeviceDraw& draw) {
+    const gpu::Buffer& attributes = draw.attributes ? draw.attributes : no_attributes_;
+    const std::uint64_t screen_bytes =
+        (draw.vertex_count + whole_run - 1) / whole_run * whole_run * screen_vertex_bytes;
+    const bool more_screen = !screen_ || screen_.size() < screen_bytes;
+    if (!more_screen && vertices_ == draw.vertices && indices_ == draw.indices && attributes_ == attributes) return;
+    if (more_screen) screen_ = storage("screen vertices", screen_bytes);
+    vertices_ = draw.vertices;
+    indices_ = draw.indices;
+    attributes_ = attributes;
+    transform_ = Stage(device_, "raster_transform", {vertices_, screen_}, parameters_);
+    setup_ = Stage(device_, "raster_setup", {screen_, indices_, triangles_}, parameters_);
+    clip_ = Stage(device_, "raster_clip", {vertices_, indices_, triangles_}, parameters_);
+    draw_stages_.clear();
+}
+
+void RasterPipeline::draw(const render::DeviceDraw& draw, kernels::DrawParams params, const TexelBuffer& texture) {
+    if (draw.index_count == 0 || draw.vertex_count == 0) return;
+    bind(draw);
+    params.vertex_count = static_cast<std::uint32_t>(draw.vertex_count);
+    params.first_vertex = static_cast<std::uint32_t>(draw.first_vertex);
+    params.index_base = draw.index_base;
+    params.attribute_stride = draw.attributes ? ATTRIBUTE_FLOATS : 0;
+    params.records_at = static_cast<std::uint32_t>(records_at);
+    params.polygons_at = static_cast<std::uint32_t>(polygons_at);
     params.entry_count = launch_.elements;
-    is_set_up_ = false;
-    for (std::size_t window = 0; window < windows_->size(); ++window) {
-        draw_window(window, params, texture);
+    is_transformed_ = false;
+    for (std::uint64_t first = 0; first < draw.index_count; first += 3 * most_triangles) {
+        params.index_at = static_cast<std::uint32_t>(draw.first_index + first);
+        params.triangle_count = static_cast<std::uint32_t>(std::min(draw.index_count - first, 3 * most_triangles) / 3);
+        is_set_up_ = false;
+        for (std::size_t window = 0; window < windows_->size(); ++window) {
+            draw_window(window, params, texture);
+        }
     }
-}
-
-template <typename Element>
-void RasterPipeline::upload(const render::TriangleBatch& batch, std::span<const Element> of_vertices,
-                            std::uint64_t at) {
-    if (batch.is_local()) {
-        const auto used = of_vertices.subspan(batch.first_vertex, batch.vertex_count);
-        device_.queue().write_buffer(vertices_, at, std::as_bytes(used));
-        return;
-    }
-    corners_.resize(batch.indices.size() * sizeof(Element));
-    render::write_corners(batch, of_vertices, reinterpret_cast<Element*>(corners_.data()));
-    device_.queue().write_buffer(vertices_, at, corners_);
-}
-
-void RasterPipeline::upload(const render::TriangleBatch& batch, const render::Draw& draw) {
-    // The device may still be busy with the batch before: it is waited for as late as possible, by the first write.
-    local_indices_.resize(batch.indices.size());
-    if (batch.is_local()) {
-        render::write_local_indices(batch, local_indices_.data());
-    } else {
-        std::iota(local_indices_.begin(), local_indices_.end(), 0u);
-    }
-    upload(batch, draw.vertices, 0);
-    if (!draw.attributes.empty()) upload(batch, draw.attributes, attributes_at);
-    device_.queue().write_buffer(indices_, 0, std::as_bytes(std::span(local_indices_)));
 }
 
 std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const kernels::BinParams& bin) {
@@ -181,7 +175,7 @@ std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const ker
     submit([&](gpu::ComputePass& pass) {
         if (!is_set_up_) {
             const std::uint32_t at = parameters_.push(params);
-            transform_.record(pass, at, items_of(params.vertex_count));
+            if (!is_transformed_) transform_.record(pass, at, items_of(params.vertex_count));
             setup_.record(pass, at, items_of(params.triangle_count));
             clip_.record(pass, at, params.triangle_count);
         }
@@ -189,6 +183,7 @@ std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const ker
         count_.record(pass, at, std::uint64_t{bin.blocks} << bin.spread_log2);
         columns_.record(pass, at, tiles);
     });
+    is_transformed_ = true;
     is_set_up_ = true;
     tile_totals_.resize(tiles);
     device_.queue().read_buffer(totals_, 0, std::as_writable_bytes(std::span(tile_totals_)));

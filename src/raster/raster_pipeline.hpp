@@ -5,7 +5,7 @@
 #include "raster/draw_parameters.hpp"
 #include "raster/launch.hpp"
 #include "raster/raster_window.hpp"
-#include "render/triangle_batches.hpp"
+#include "render/device_draw.hpp"
 #include "tessellate/stage.hpp"
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace tessera::raster {
 
-/// Memory beside that of the windows does not depend on what is drawn: about 130 MiB, and `visible`, a word per sample
-/// of the largest window.
+/// Memory beside that of the windows: about 85 MiB; `visible`, a word per sample of the largest window; and 16 bytes
+/// per vertex of the largest draw.
 class RasterPipeline {
 public:
     /// Words of all lists of one binning; batches that need more are cut.
@@ -26,9 +26,8 @@ public:
     /// depth 1. The windows must outlive the picture.
     void begin(std::vector<RasterWindow>& windows, std::uint32_t samples, std::uint32_t background);
 
-    /// Draws a batch of `draw`.
-    void draw(const render::TriangleBatch& batch, const render::Draw& draw, kernels::DrawParams params,
-              const TexelBuffer& texture);
+    /// Draws, some triangles at a time.
+    void draw(const render::DeviceDraw& draw, kernels::DrawParams params, const TexelBuffer& texture);
 
     /// Resolves a window: R, G, B, A of each pixel, rows from the top.
     void resolve(const RasterWindow& window, const TexelBuffer& tables, std::span<std::byte> picture);
@@ -39,10 +38,8 @@ private:
         return (elements + launch_.elements - 1) / launch_.elements;
     }
     gpu::Buffer storage(const char* label, std::uint64_t bytes);
-    void upload(const render::TriangleBatch& batch, const render::Draw& draw);
-    /// Writes what belongs to the vertices of a batch to word `at` of the vertex buffer.
-    template <typename Element>
-    void upload(const render::TriangleBatch& batch, std::span<const Element> of_vertices, std::uint64_t at);
+    /// Makes stages read the buffers of a draw.
+    void bind(const render::DeviceDraw& draw);
     void draw_window(std::size_t window, kernels::DrawParams params, const TexelBuffer& texture);
     /// Sets up the batch, the first time, counts triangles per tile into tile_totals_ and returns their sum.
     std::uint64_t count(const kernels::DrawParams& params, const kernels::BinParams& bin);
@@ -59,16 +56,17 @@ private:
     Launch launch_;
     ParameterRing parameters_;
     std::uint32_t samples_ = 4;
-    bool is_set_up_ = false;         // the batch has records and bounds
+    bool is_transformed_ = false;    // the draw has screen vertices
+    bool is_set_up_ = false;         // the batch has bounds and records
     bool is_visible_clear_ = false;  // all of visible_ is VISIBLE_NONE: shading leaves it so
     std::vector<RasterWindow>* windows_ = nullptr;
-    std::vector<std::byte> corners_;
-    std::vector<std::uint32_t> local_indices_, tile_totals_, bin_heads_;
-    gpu::Buffer vertices_, indices_, screen_, records_, bounds_;
+    std::vector<std::uint32_t> tile_totals_, bin_heads_;
+    gpu::Buffer vertices_, indices_, attributes_;  // of the present draw
+    gpu::Buffer no_attributes_, screen_, triangles_;
     gpu::Buffer counts_, totals_, bins_, visible_, picture_;
     std::uint32_t tile_capacity_ = 0;
     Stage transform_, setup_, clip_, count_, columns_, fill_;
-    // Stages bound to a window and a texture, made at their first use.
+    // Stages bound to a window, a texture and the present draw's buffers, made at their first use.
     std::map<std::tuple<std::size_t, const void*, std::string_view>, Stage> draw_stages_;
 };
 

@@ -5,13 +5,14 @@
 
 namespace tessera::render {
 
-/// Draws what it receives, each part with its material.
+/// Draws what it receives, each part with its material: from the device's buffers where the rasteriser can.
 class DrawSink : public MeshSink {
 public:
     /// `rasteriser` has begun a frame; `parts` are those of the totals. Both must outlive the sink.
     DrawSink(Rasteriser& rasteriser, const std::vector<MeshPart>& parts) : rasteriser_(rasteriser), parts_(parts) {}
 
     void append(const MeshBatch& batch) override;
+    bool take(const DeviceMeshBatch& batch) override;
 
 private:
     Rasteriser& rasteriser_;

@@ -4,6 +4,7 @@
 
 #include "image/image.hpp"
 #include "render/camera.hpp"
+#include "render/device_draw.hpp"
 #include "render/triangle_batches.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/refined_mesh.hpp"
@@ -88,6 +89,11 @@ public:
     void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices, std::uint32_t material) {
         draw(Draw{vertices, indices, material});
     }
+    /// Whether draws may come from buffers of this device.
+    virtual bool draws_from(const gpu::Device& /*device*/) const { return false; }
+    /// Draws triangles that lie on such a device, after what its queue was given before. Throws like check_draw, and
+    /// Error(usage) where draws_from() is false for all devices.
+    virtual void draw(const DeviceDraw& draw);
     /// Resolves and reads the image back.
     virtual image::Image finish() = 0;
 };

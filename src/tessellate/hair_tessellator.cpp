@@ -1,6 +1,7 @@
 #include "tessellate/hair_tessellator.hpp"
 
 #include "base/error.hpp"
+#include "tessellate/device_batch.hpp"
 #include "tessellate/mesh_parts.hpp"
 
 #include <fmt/format.h>
@@ -38,12 +39,14 @@ void HairTessellator::run(MeshSink& sink, std::uint64_t first_vertex, std::uint6
         for (const Batch& batch : job_.prepare()) {
             job_.emit(batch, static_cast<std::uint32_t>(first_vertex));
             const std::vector<StageView> views = job_.emitted_views();
-            vertices.resize(batch.vertex_count);
-            indices.resize(batch.index_count);
-            device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
-            device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
-            if (space == Space::model) scale_to_model(vertices, hair_.exponent);
-            sink.append({first_vertex, first_index, vertices, indices});
+            if (space != Space::kernel || !offer(sink, device_, views, batch, first_vertex, first_index)) {
+                vertices.resize(batch.vertex_count);
+                indices.resize(batch.index_count);
+                device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
+                device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
+                if (space == Space::model) scale_to_model(vertices, hair_.exponent);
+                sink.append({first_vertex, first_index, vertices, indices});
+            }
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;
             done += batch.vertex_count;

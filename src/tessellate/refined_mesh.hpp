@@ -4,6 +4,7 @@
 #include "base/tangent.hpp"
 #include "base/vertex.hpp"
 #include "base/vertex_attributes.hpp"
+#include "gpu/device.hpp"
 
 #include <cstdint>
 #include <span>
@@ -48,11 +49,26 @@ struct MeshBatch {
     std::span<const VertexAttributes> attributes{};
 };
 
+/// A piece of the output as it lies on the device that made it, from the start of each buffer, in kernel space.
+/// Otherwise like MeshBatch.
+struct DeviceMeshBatch {
+    gpu::Device device;
+    std::uint64_t first_vertex = 0, vertex_count = 0;
+    std::uint64_t first_index = 0, index_count = 0;
+    gpu::Buffer vertices;    ///< of Vertex
+    gpu::Buffer indices;     ///< of uint32; global
+    gpu::Buffer tangents;    ///< null, or Tangent for each vertex
+    gpu::Buffer attributes;  ///< null, or VertexAttributes for each vertex
+};
+
 /// Receives batches; what writers and rasterisers implement.
 class MeshSink {
 public:
     virtual ~MeshSink() = default;
     virtual void append(const MeshBatch& batch) = 0;
+    /// Offered first where kernel space is asked for. A sink that works on this device submits what reads the buffers,
+    /// to the device's queue, and returns true: nothing is read back then, and later work writes the buffers anew.
+    virtual bool take(const DeviceMeshBatch& /*batch*/) { return false; }
 };
 
 }  // namespace tessera

@@ -21,6 +21,7 @@ public:
         }
         sink_.append(marked);
     }
+    bool take(const DeviceMeshBatch& batch) override { return sink_.take(batch); }
 
 private:
     MeshSink& sink_;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "layout.h"
+#include "tessellate/device_batch.hpp"
 #include "tessellate/mesh_parts.hpp"
 #include "tessellate/quad_faces.hpp"
 
@@ -23,6 +24,32 @@ void mark_batch(const Batch& batch, const std::vector<PatchOffset>& offsets, std
                    std::span(quads).subspan(start / 3, count / 3));
     }
 }
+
+/// What was emitted, in host memory.
+struct HostBatch {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<Tangent> tangents;
+    std::vector<VertexAttributes> attributes;
+
+    void read(const gpu::Device& device, const std::vector<StageView>& views) {
+        tangents.clear();
+        attributes.clear();
+        for (const StageView& view : views) {
+            if (view.stage == StageId::vertices) read(device, view, vertices);
+            if (view.stage == StageId::indices) read(device, view, indices);
+            if (view.stage == StageId::tangents) read(device, view, tangents);
+            if (view.stage == StageId::attributes) read(device, view, attributes);
+        }
+    }
+
+private:
+    template <typename Element>
+    static void read(const gpu::Device& device, const StageView& view, std::vector<Element>& elements) {
+        elements.resize(view.bytes / sizeof(Element));
+        device.queue().read_buffer(view.buffer, 0, std::as_writable_bytes(std::span(elements)));
+    }
+};
 
 }  // namespace
 
@@ -58,11 +85,9 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
                                                   "32-bit indices can address; use smaller factors.",
                                                   totals_.vertex_count));
     }
-    std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices, records;
+    HostBatch host;
+    std::vector<std::uint32_t> records;
     std::vector<std::uint8_t> quads;
-    std::vector<Tangent> tangents;
-    std::vector<VertexAttributes> attributes;
     std::uint64_t first_vertex = 0;
     std::uint64_t first_index = 0;
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
@@ -74,27 +99,16 @@ void Tessellator::run(MeshSink& sink, Space space, const std::function<void(doub
         for (const Batch& batch : job_.prepare()) {
             job_.emit(batch, static_cast<std::uint32_t>(first_vertex));
             const std::vector<StageView> views = job_.emitted_views();
-            vertices.resize(batch.vertex_count);
-            indices.resize(batch.index_count);
-            device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
-            device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
-            if (totals_.has_tangents) {
-                assert(views[2].stage == StageId::tangents);
-                tangents.resize(batch.vertex_count);
-                device_.queue().read_buffer(views[2].buffer, 0, std::as_writable_bytes(std::span(tangents)));
+            if (space != Space::kernel || !offer(sink, device_, views, batch, first_vertex, first_index)) {
+                host.read(device_, views);
+                if (space == Space::model) scale_to_model(host.vertices, patches_.exponent);
+                if (marks_quads_) {
+                    mark_batch(batch, job_.offsets(), records, static_cast<std::uint32_t>(first_vertex), host.indices,
+                               quads);
+                }
+                sink.append(
+                    {first_vertex, first_index, host.vertices, host.indices, quads, host.tangents, host.attributes});
             }
-            if (totals_.has_attributes) {
-                assert(views.back().stage == StageId::attributes);
-                attributes.resize(batch.vertex_count);
-                device_.queue().read_buffer(views.back().buffer, 0, std::as_writable_bytes(std::span(attributes)));
-            }
-            if (space == Space::model) {
-                scale_to_model(vertices, patches_.exponent);
-            }
-            if (marks_quads_) {
-                mark_batch(batch, job_.offsets(), records, static_cast<std::uint32_t>(first_vertex), indices, quads);
-            }
-            sink.append({first_vertex, first_index, vertices, indices, quads, tangents, attributes});
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;
             if (progress) {
