@@ -46,7 +46,7 @@ void DrawSink::append(const MeshBatch& batch) {
     }
 }
 
-bool DrawSink::take(const DeviceMeshBatch& batch) {
+bool DrawSink::take_from_device(const DeviceMeshBatch& batch) {
     if (!rasteriser_.draws_from(batch.device)) return false;
     for (const MeshPart& part : parts_) {
         const Share share = share_of(batch, batch.vertex_count, batch.index_count, part);

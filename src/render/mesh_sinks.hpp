@@ -12,7 +12,7 @@ public:
     DrawSink(Rasteriser& rasteriser, const std::vector<MeshPart>& parts) : rasteriser_(rasteriser), parts_(parts) {}
 
     void append(const MeshBatch& batch) override;
-    bool take(const DeviceMeshBatch& batch) override;
+    bool take_from_device(const DeviceMeshBatch& batch) override;
 
 private:
     Rasteriser& rasteriser_;

@@ -16,7 +16,7 @@ bool offer(MeshSink& sink, const gpu::Device& device, const std::vector<StageVie
         if (view.stage == StageId::tangents) offered.tangents = view.buffer;
         if (view.stage == StageId::attributes) offered.attributes = view.buffer;
     }
-    return sink.take(offered);
+    return sink.take_from_device(offered);
 }
 
 }  // namespace tessera

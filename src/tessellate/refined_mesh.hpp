@@ -68,7 +68,7 @@ public:
     virtual void append(const MeshBatch& batch) = 0;
     /// Offered first where kernel space is asked for. A sink that works on this device submits what reads the buffers,
     /// to the device's queue, and returns true: nothing is read back then, and later work writes the buffers anew.
-    virtual bool take(const DeviceMeshBatch& /*batch*/) { return false; }
+    virtual bool take_from_device(const DeviceMeshBatch& /*batch*/) { return false; }
 };
 
 }  // namespace tessera

@@ -21,7 +21,7 @@ public:
         }
         sink_.append(marked);
     }
-    bool take(const DeviceMeshBatch& batch) override { return sink_.take(batch); }
+    bool take_from_device(const DeviceMeshBatch& batch) override { return sink_.take_from_device(batch); }
 
 private:
     MeshSink& sink_;

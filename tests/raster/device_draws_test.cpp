@@ -89,12 +89,12 @@ TEST(DeviceDraws, ShowWhatDrawsOfTheHostShow) {
 }
 
 /// A square of two triangles behind `unused` other vertices and indices, named from `base`.
-struct Square {
+struct DeviceSquare {
     gpu::Device device;
     render::Frame frame = flat_frame(20, 20, 1);
     render::DeviceDraw draw;
 
-    Square(const gpu::Device& where, std::uint32_t unused, std::uint32_t base, std::uint32_t last_index)
+    DeviceSquare(const gpu::Device& where, std::uint32_t unused, std::uint32_t base, std::uint32_t last_index)
         : device(where) {
         std::vector<Vertex> vertices(unused, place_vertex(frame, 0, 0));
         for (const auto& [x, y] : {std::pair{2, 2}, {18, 2}, {18, 18}, {2, 18}}) {
@@ -133,7 +133,7 @@ struct Square {
 TEST(DeviceDraws, MayBePartOfBuffers) {
     for (const gpu::Device& device : open_every_device()) {
         for (const std::uint32_t unused : {0u, 1u, 33u}) {
-            EXPECT_EQ(Square(device, unused, 7, 2).drawn(), 256u) << device.info().id << ", after " << unused;
+            EXPECT_EQ(DeviceSquare(device, unused, 7, 2).drawn(), 256u) << device.info().id << ", after " << unused;
         }
     }
 }
@@ -141,15 +141,15 @@ TEST(DeviceDraws, MayBePartOfBuffers) {
 TEST(DeviceDraws, DropTrianglesWithOtherVertices) {
     for (const gpu::Device& device : open_every_device()) {
         for (const std::uint32_t base : {0u, 7u}) {
-            EXPECT_EQ(Square(device, 3, base, 4).drawn(), 136u) << device.info().id;
-            EXPECT_EQ(Square(device, 3, base, 0u - base - 1u).drawn(), 136u) << device.info().id;
+            EXPECT_EQ(DeviceSquare(device, 3, base, 4).drawn(), 136u) << device.info().id;
+            EXPECT_EQ(DeviceSquare(device, 3, base, 0u - base - 1u).drawn(), 136u) << device.info().id;
         }
     }
 }
 
 TEST(DeviceDraws, AreRefusedWithoutTheirBuffers) {
     const auto refused = [](auto&& change) {
-        Square square(open_device("reference"), 0, 0, 2);
+        DeviceSquare square(open_device("reference"), 0, 0, 2);
         change(square.draw);
         EXPECT_THROW(square.drawn(), Error);
     };
