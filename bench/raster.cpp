@@ -33,22 +33,6 @@ const RefinedMesh& mesh_of(int segments) {
     return found->second;
 }
 
-/// The mesh in buffers of a device.
-render::DeviceDraw upload(gpu::Device device, const RefinedMesh& mesh) {
-    constexpr auto usage = gpu::BufferUsage::storage | gpu::BufferUsage::copy_destination;
-    const auto put = [&](const char* label, std::span<const std::byte> bytes) {
-        const gpu::Buffer buffer = device.create_buffer({label, bytes.size(), usage});
-        device.queue().write_buffer(buffer, 0, bytes);
-        return buffer;
-    };
-    render::DeviceDraw draw;
-    draw.vertices = put("vertices", std::as_bytes(std::span(mesh.vertices)));
-    draw.indices = put("indices", std::as_bytes(std::span(mesh.indices)));
-    draw.vertex_count = mesh.vertices.size();
-    draw.index_count = mesh.indices.size();
-    return draw;
-}
-
 void draw(benchmark::State& state, const std::string& id, How how, std::uint32_t samples) {
     const RefinedMesh& mesh = mesh_of(static_cast<int>(state.range(0)));
     render::Framing framing({}, 1.0f);
@@ -61,7 +45,8 @@ void draw(benchmark::State& state, const std::string& id, How how, std::uint32_t
     const bool portable = how != How::device;
     const gpu::Device device = portable ? backends::open_device(id) : gpu::Device();
     const auto rasteriser = portable ? raster::open_portable(device) : backends::open_rasteriser(id);
-    const auto resident = how == How::portable ? upload(device, mesh) : render::DeviceDraw{};
+    const auto resident =
+        how == How::portable ? render::upload_mesh(device, mesh.vertices, mesh.indices) : render::DeviceDraw{};
     const auto picture = [&] {
         rasteriser->begin(frame);
         rasteriser->set_materials({{}}, {});

@@ -18,6 +18,7 @@
 #include "patches/patches.hpp"
 #include "raster/portable_rasteriser.hpp"
 #include "render/mesh_sinks.hpp"
+#include "render/resident_mesh.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/edge_factors.hpp"
 #include "tessellate/pattern.hpp"

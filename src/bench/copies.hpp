@@ -3,22 +3,15 @@
 #pragma once
 
 #include "bench/contest.hpp"
+#include "bench/rasterisers.hpp"
 #include "bench/report.hpp"
 #include "bench/workload.hpp"
-#include "gpu/device.hpp"
-#include "render/rasteriser.hpp"
-
-#include <functional>
-#include <memory>
 
 namespace tessera::bench {
-
-/// Opens what draws for a device; null where nothing does.
-using OpenRasteriser = std::function<std::unique_ptr<render::Rasteriser>(const std::string& device)>;
 
 /// Two tables: Fox for their tiger, RiggedFigure for their person. As there, PN has quadratic normals and Phong linear
 /// ones. Throws Error(usage) where a model cannot be read.
 std::vector<Table> measure_copies(const std::vector<gpu::Device>& devices, const WorkloadSource& source,
-                                  const Effort& effort, const OpenRasteriser& open_rasteriser);
+                                  const Effort& effort, const Rasterisers& rasterisers);
 
 }  // namespace tessera::bench

@@ -30,11 +30,7 @@ std::string heading(std::uint64_t count) {
 Table measure_growth(const std::vector<gpu::Device>& devices, const Effort& effort, bool quick) {
     const patches::PatchSet base =
         patches::make_patches(scene::load_scene(quick ? "shape:sphere:5" : "shape:sphere:50"));
-    Table table{"W6",
-                "growth from 1 patch to many, factor 4, integer",
-                "Medians of whole jobs; the fit is a line through all sizes by relative error.",
-                {"device"},
-                {}};
+    Table table{"W6", "growth from 1 patch to many, factor 4, integer", growth_note, {"device"}, {}};
     std::vector<double> counts;
     std::vector<std::vector<double>> medians(devices.size());
     for (std::uint64_t count = 1; count <= (quick ? 1000u : 1000000u); count *= 10) {
@@ -54,21 +50,30 @@ Table measure_growth(const std::vector<gpu::Device>& devices, const Effort& effo
             medians[d].push_back(summarise(contestants[d].seconds).median);
         }
     }
-    table.columns.insert(table.columns.end(), {"fixed by fit, ms", "slope, ns per patch", "r squared"});
+    add_growth_columns(table, "patch");
     for (std::size_t d = 0; d < devices.size(); ++d) {
-        std::vector<Cell> row{devices[d].info().id};
-        std::vector<double> weights;
-        for (const double seconds : medians[d]) {
-            row.emplace_back(seconds * 1e3);
-            weights.push_back(1.0 / (seconds * seconds));
-        }
-        const Line line = fit_line(counts, medians[d], weights);
-        row.emplace_back(line.constant * 1e3);
-        row.emplace_back(line.slope * 1e9);
-        row.emplace_back(fit_line(counts, medians[d]).r_squared);
-        table.rows.push_back(std::move(row));
+        table.rows.push_back(growth_row(devices[d].info().id, counts, medians[d]));
     }
     return table;
+}
+
+void add_growth_columns(Table& table, const std::string& element) {
+    table.columns.insert(table.columns.end(),
+                         {"fixed by fit, ms", fmt::format("slope, ns per {}", element), "r squared"});
+}
+
+std::vector<Cell> growth_row(const std::string& name, std::span<const double> counts, std::span<const double> seconds) {
+    std::vector<Cell> row{name};
+    std::vector<double> weights;
+    for (const double s : seconds) {
+        row.emplace_back(s * 1e3);
+        weights.push_back(1.0 / (s * s));
+    }
+    const Line line = fit_line(counts, seconds, weights);
+    row.emplace_back(line.constant * 1e3);
+    row.emplace_back(line.slope * 1e9);
+    row.emplace_back(fit_line(counts, seconds).r_squared);
+    return row;
 }
 
 }  // namespace tessera::bench

@@ -1,6 +1,7 @@
 #include "bench/run_bench.hpp"
 
 #include "base/error.hpp"
+#include "bench/drawing.hpp"
 #include "bench/growth.hpp"
 #include "bench/marks.hpp"
 #include "bench/roofs.hpp"
@@ -134,7 +135,7 @@ public:
             guarded("W5", [&] {
                 say_("W5: many copies of one model");
                 std::ranges::move(
-                    measure_copies(settings_.devices, settings_.source, settings_.effort, settings_.open_rasteriser),
+                    measure_copies(settings_.devices, settings_.source, settings_.effort, settings_.rasterisers),
                     std::back_inserter(report_.tables));
             });
         }
@@ -142,6 +143,13 @@ public:
             guarded("W6", [&] {
                 say_("W6: from one patch to many");
                 report_.tables.push_back(measure_growth(settings_.devices, settings_.effort, settings_.source.quick));
+            });
+        }
+        if (wanted("W7")) {
+            guarded("W7", [&] {
+                say_("W7: drawing");
+                measure_drawing(report_, settings_.devices, settings_.effort, settings_.rasterisers,
+                                settings_.source.quick);
             });
         }
         measure_traffic();

@@ -12,13 +12,13 @@
 namespace tessera::bench {
 
 struct Settings {
-    std::vector<std::string> workloads{"W1", "W2", "W3", "W4", "W5", "W6"};
+    std::vector<std::string> workloads{"W1", "W2", "W3", "W4", "W5", "W6", "W7"};
     std::vector<gpu::Device> devices;
     std::vector<PeerMaker> peers;
     WorkloadSource source;
     Effort effort;
-    OpenRasteriser open_rasteriser;  ///< may be empty: nothing is drawn
-    std::vector<Missing> missing;    ///< what the program was built without, for the report
+    Rasterisers rasterisers;
+    std::vector<Missing> missing;  ///< what the program was built without, for the report
 };
 
 /// `say` is told what is measured now.

@@ -69,7 +69,7 @@ Workload make_workload(const std::string& id, const WorkloadSource& source) {
                     Partitioning::integer, 32.0f);
     }
     throw Error(ErrorKind::usage,
-                fmt::format("There is no workload named \"{}\"; choose W1, W2, W3, W4, W5 or W6.", id));
+                fmt::format("There is no workload named \"{}\"; choose W1, W2, W3, W4, W5, W6 or W7.", id));
 }
 
 }  // namespace tessera::bench

@@ -8,6 +8,7 @@
 #include "bench/run_bench.hpp"
 #include "bench/serial_kernel.hpp"
 #include "cli/command.hpp"
+#include "raster/portable_rasteriser.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -94,13 +95,10 @@ int run(const Context& context, const BenchWords& words) {
                               std::back_inserter(settings.peers));
         }
     }
-    settings.open_rasteriser = [](const std::string& id) -> std::unique_ptr<render::Rasteriser> {
-        try {
-            return backends::open_rasteriser(id);
-        } catch (const Error&) {
-            return nullptr;  // nothing here draws: the columns stay empty
-        }
+    settings.rasterisers.own = [](const gpu::Device& device) {
+        return device.info().rasteriser ? backends::open_rasteriser(device.info().id) : nullptr;
     };
+    settings.rasterisers.portable = [](const gpu::Device& device) { return raster::open_portable(device); };
     settings.missing = peers::peers_not_built();
     const bench::Report report = bench::run_bench(settings, [&](const std::string& line) { say(context, line); });
     fmt::print("{}", bench::to_text(report));
@@ -122,9 +120,9 @@ void add_bench_command(CLI::App& app, Context& context) {
     command
         ->add_option("--workload", words->workloads,
                      "W1 (20,000 patches at factor 16), W2 (random factors), W3 (a large model), W4 (quads), W5 (many "
-                     "copies), W6 (growth), separated by commas (default: all)")
+                     "copies), W6 (growth), W7 (drawing), separated by commas (default: all)")
         ->delimiter(',')
-        ->check(CLI::IsMember({"W1", "W2", "W3", "W4", "W5", "W6"}));
+        ->check(CLI::IsMember({"W1", "W2", "W3", "W4", "W5", "W6", "W7"}));
     command->add_option("--device", words->devices, "A device to measure; repeat for more (default: all)");
     command->add_option("--repetitions", words->repetitions, "Rounds at most (default: 15)")
         ->check(CLI::Range(1, 1000));

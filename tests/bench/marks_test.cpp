@@ -93,7 +93,7 @@ TEST(Marks, AGpuIsHeldAgainstItsOwnStage) {
     report.figures.push_back(figure("W1", "vulkan:1", 2));
     report.figures.push_back(figure("W1", "fixed function discarded on vulkan:1", 3));
     const std::vector<Mark> marks = make_marks(report);
-    EXPECT_EQ(marks.size(), 14u);
+    EXPECT_EQ(marks.size(), 16u);
     EXPECT_TRUE(find(marks, "W1 on vulkan:1 against its tessellation stage, discarded").met());
     EXPECT_FALSE(find(marks, "W1-64 on vulkan:1").value);
 }

@@ -44,7 +44,7 @@ TEST(Bench, MeasuresWhatWasAskedFor) {
 }
 
 TEST(Bench, WrongWordsAreAMatterOfUsage) {
-    const std::vector<std::vector<std::string>> calls{{"bench", "--workload", "W7"},
+    const std::vector<std::vector<std::string>> calls{{"bench", "--workload", "W8"},
                                                       {"bench", "--repetitions", "0"},
                                                       {"bench", "--quick", "--plot", "bars.pdf"},
                                                       {"bench", "--quick", "--remarks", "/nonexistent.md"}};
