@@ -2,12 +2,14 @@
 // last run of a draw may go beyond its triangles: the buffers hold whole runs, and old indices are as good as any.
 #include "raster/triangle_setup.h"
 
-#define LOAD_SCREEN_POINT(to, vertex)                             \
-    ScreenPoint to;                                               \
-    to.x = to_int(screen[(vertex)*SCREEN_VERTEX_WORDS]);          \
-    to.y = to_int(screen[(vertex)*SCREEN_VERTEX_WORDS + 1u]);     \
-    to.z = bits_float(screen[(vertex)*SCREEN_VERTEX_WORDS + 2u]); \
-    to.code = screen[(vertex)*SCREEN_VERTEX_WORDS + 3u]
+// Signed indices, of which compilers know that they do not wrap around: CPUs gather by 32 bits then.
+#define SCREEN_WORD(vertex, word) screen[to_int(vertex) * 4 + (word)]
+#define LOAD_SCREEN_POINT(to, vertex)          \
+    ScreenPoint to;                            \
+    to.x = to_int(SCREEN_WORD(vertex, 0));     \
+    to.y = to_int(SCREEN_WORD(vertex, 1));     \
+    to.z = bits_float(SCREEN_WORD(vertex, 2)); \
+    to.code = SCREEN_WORD(vertex, 3)
 
 #define FEW_WORDS 13u
 
@@ -31,10 +33,10 @@ KERNEL5(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, ui
         uint few[RUN * FEW_WORDS];
         uint most_rows = 0u;
         FOR_RUN(k) {
-            const uint i = first_of_run + k;
-            LOAD_SCREEN_POINT(a, indices[i * 3u]);
-            LOAD_SCREEN_POINT(b, indices[i * 3u + 1u]);
-            LOAD_SCREEN_POINT(c, indices[i * 3u + 2u]);
+            const int i = to_int(RUN_AT(first_of_run, k));
+            LOAD_SCREEN_POINT(a, indices[i * 3]);
+            LOAD_SCREEN_POINT(b, indices[i * 3 + 1]);
+            LOAD_SCREEN_POINT(c, indices[i * 3 + 2]);
             const RasterTriangle t = make_raster_triangle(a, b, c, p.cull);
             const int left = smaller(a.x, smaller(b.x, c.x));
             const int right = larger(a.x, larger(b.x, c.x));
