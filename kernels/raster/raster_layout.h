@@ -64,6 +64,13 @@
 #define TRIANGLE_WORDS 8u
 #define TRIANGLE_SMALL 1u
 #define TRIANGLE_BACK 2u
+// Where a small triangle's box held up to FEW_ROWS rows of up to two samples, the flags have two bits per row of the
+// bounds for what it covers of them, and how far left of the bounds these samples begin. The bounds of such a triangle
+// end with the samples that it covers; it has none where there is no such sample.
+#define FEW_ROWS 8u
+#define TRIANGLE_LEFT_SHIFT 2u
+#define TRIANGLE_LEFT_MASK 7u
+#define TRIANGLE_COVERED_SHIFT 16u
 #define SMALL_EXTENT 16384
 
 // Polygon of a triangle that is not small: number of corners, then x, y and depth of each.

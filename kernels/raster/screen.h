@@ -103,7 +103,8 @@ FUNCTION ScreenPoint to_screen(DrawParams p, ClipPoint c) {
 
 KERNELS_END
 
-/// The place in `vertices` and `attributes` of the vertex that word i of a batch's indices names.
-#define DRAW_VERTEX(p, i) ((p).first_vertex + (indices[(p).index_at + (i)] - (p).index_base))
+/// The place in `vertices` and `attributes` of the vertex that word i of a batch's indices names. Signed, as where
+/// vertices are loaded.
+#define DRAW_VERTEX(p, i) ((p).first_vertex + (indices[to_int((p).index_at) + to_int(i)] - (p).index_base))
 
 #endif

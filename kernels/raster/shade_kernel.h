@@ -25,11 +25,18 @@ KERNEL8(SHADE_NAME, READ(0, uint, bins), WRITE(1, uint, visible), WRITE(2, uint,
     const uint sample_end = 256u << p.axis_log2;
     for (uint pixel = begin & 255u; pixel < (begin & 255u) + p.entry_count; pixel = pixel + RUN) {
         const uint first = (tile << (8u + p.axis_log2)) + pixel;
-        uint unseen = VISIBLE_NONE;
-        for (uint sample_at = 0u; sample_at < sample_end; sample_at = sample_at + 256u) {
-            for (uint k = 0u; k < RUN; ++k) {
-                unseen = unseen & visible[first + sample_at + k];
+        uint unseen_by[RUN];
+        FOR_RUN(k) {
+            unseen_by[k] = visible[RUN_AT(first, k)];
+        }
+        for (uint sample_at = 256u; sample_at < sample_end; sample_at = sample_at + 256u) {
+            FOR_RUN(k) {
+                unseen_by[k] = unseen_by[k] & visible[RUN_AT(first + sample_at, k)];
             }
+        }
+        uint unseen = VISIBLE_NONE;
+        for (uint k = 0u; k < RUN; ++k) {
+            unseen = unseen & unseen_by[k];
         }
         if (unseen == VISIBLE_NONE) {
             continue;

@@ -125,16 +125,19 @@ FUNCTION Colour wires_over(Colour colour, float beside) {
 
 KERNELS_END
 
-#define LOAD_CORNER(p, vertex)                                                                  \
-    make_corner(p, LOAD_VECTOR(vertices, (vertex)*8u), LOAD_VECTOR(vertices, (vertex)*8u + 3u), \
-                vertices[(vertex)*8u + 6u], vertices[(vertex)*8u + 7u])
+// Signed indices, of which compilers know that they do not wrap around: CPUs gather by 32 bits then.
+#define VERTEX_WORD(vertex, word) vertices[to_int(vertex) * 8 + (word)]
+#define LOAD_CORNER(p, vertex)                                                                          \
+    make_corner(p, make_vector(VERTEX_WORD(vertex, 0), VERTEX_WORD(vertex, 1), VERTEX_WORD(vertex, 2)), \
+                make_vector(VERTEX_WORD(vertex, 3), VERTEX_WORD(vertex, 4), VERTEX_WORD(vertex, 5)),    \
+                VERTEX_WORD(vertex, 6), VERTEX_WORD(vertex, 7))
 
 // The steps of shading a triangle in the pixel (px, py) of the image, as macros because they read the buffers vertices,
 // indices, attributes and texels. Each declares what later ones use.
 #define SHADE_CORNERS(p, triangle, px, py)                                                         \
-    const Corner ca = LOAD_CORNER(p, DRAW_VERTEX(p, (triangle)*3u));                               \
-    const Corner cb = LOAD_CORNER(p, DRAW_VERTEX(p, (triangle)*3u + 1u));                          \
-    const Corner cc = LOAD_CORNER(p, DRAW_VERTEX(p, (triangle)*3u + 2u));                          \
+    const Corner ca = LOAD_CORNER(p, DRAW_VERTEX(p, to_int(triangle) * 3));                        \
+    const Corner cb = LOAD_CORNER(p, DRAW_VERTEX(p, to_int(triangle) * 3 + 1));                    \
+    const Corner cc = LOAD_CORNER(p, DRAW_VERTEX(p, to_int(triangle) * 3 + 2));                    \
     const Weights weights = pixel_weights(p, ca, cb, cc, px, py);                                  \
     const Weights across = subtract_weights(pixel_weights(p, ca, cb, cc, (px) + 1u, py), weights); \
     const Weights down = subtract_weights(pixel_weights(p, ca, cb, cc, px, (py) + 1u), weights);   \

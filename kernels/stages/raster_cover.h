@@ -51,7 +51,30 @@ KERNEL5(raster_cover, READ(0, uint, bins), READ(1, uint, triangles), WRITE(2, ui
         const int last_column = smaller(to_int(columns >> 16u), part.last_column);
         const uint at = p.records_at + triangle * TRIANGLE_WORDS;
         const uint flags = triangles[at + 7u];
-        if ((flags & TRIANGLE_SMALL) != 0u) {
+        uint covered_few = flags >> TRIANGLE_COVERED_SHIFT;
+        if (covered_few != 0u) {
+            const RasterTriangle t = LOAD_SMALL_TRIANGLE(triangles, at, flags);
+            const uint seen = triangle | ((flags & TRIANGLE_BACK) != 0u ? VISIBLE_BACK : 0u);
+            const int left = to_int((columns & 0xffffu) - ((flags >> TRIANGLE_LEFT_SHIFT) & TRIANGLE_LEFT_MASK));
+            const int top = to_int(rows & 0xffffu);
+            while (covered_few != 0u) {
+                const uint rest = covered_few & (covered_few - 1u);
+                // The number of the lowest bit, from the exponent of its value.
+                const uint number = (float_bits(to_float(covered_few - rest)) >> 23u) - 127u;
+                covered_few = rest;
+                const int row = top + to_int(number >> 1u);
+                const int in_pixel = column_in_pixel(p, row);
+                const int x = ((left - in_pixel + axis_mask) >> p.axis_log2) + to_int(number & 1u);
+                const int column = (x << p.axis_log2) + in_pixel;
+                if (row >= first_row && row <= last_row && column >= first_column && column <= last_column) {
+                    const int px = origin_x + (column << unit_log2) - t.x0;
+                    const int py = origin_y + (row << unit_log2) - t.y0;
+                    const float z = t.z0 + (t.slope_x * to_float(px) + t.slope_y * to_float(py));
+                    const uint place = sample_index(p, part.tile, x, row);
+                    KEEP_SAMPLE(place, z, seen)
+                }
+            }
+        } else if ((flags & TRIANGLE_SMALL) != 0u) {
             const RasterTriangle t = LOAD_SMALL_TRIANGLE(triangles, at, flags);
             const int least2 = edge_least(t.dx1, t.dy1);
             const int least1 = edge_least(-t.dx2, -t.dy2);

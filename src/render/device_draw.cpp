@@ -11,7 +11,7 @@
 namespace tessera::render {
 namespace {
 
-constexpr std::uint64_t addressable_words = std::uint64_t{1} << 32;
+constexpr std::uint64_t addressable_words = std::uint64_t{1} << 31;  // by signed numbers
 
 void check_range(const char* what, const gpu::Buffer& buffer, std::uint64_t first, std::uint64_t count,
                  std::uint64_t element_bytes) {

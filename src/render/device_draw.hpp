@@ -21,7 +21,7 @@ struct DeviceDraw {
 };
 
 /// Throws Error(usage) for a material that is not less than `material_count`, a number of indices that is no multiple
-/// of 3, null or too small buffers, and ranges beyond what 32-bit words address.
+/// of 3, null or too small buffers, and ranges beyond 2^31 words.
 void check_draw(const DeviceDraw& draw, std::size_t material_count);
 
 }  // namespace tessera::render
