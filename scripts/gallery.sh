@@ -27,6 +27,12 @@ panel wires $rabbit --scheme pn --factor 3 --shading wireframe
 panel smooth $rabbit --scheme pn --factor 12
 beside rabbit.png "$panels/coarse.png" "$panels/wires.png" "$panels/smooth.png"
 
+parrot="assets/parrot.glb --orbit=-35,8 --size 420x560"
+panel painted_coarse $parrot --scheme linear --factor 1
+panel painted_wires $parrot --partitioning integer --factor 2 --view wireframe
+panel painted $parrot --factor 12
+beside parrot.png "$panels/painted_coarse.png" "$panels/painted_wires.png" "$panels/painted.png"
+
 fur="assets/furball.glb --camera 18,6 --size 460x500"
 panel guides $fur --factor 8 --hairs 1 --hair-width 0.02
 panel ribbons $fur --factor 2 --hairs 1 --hair-segments 5 --hair-width 0.07 --shading wireframe

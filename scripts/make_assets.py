@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the project's own models: assets/*.glb. Needs nothing but Python 3; takes about a minute.
+"""Makes the project's own models: assets/*.glb. Needs nothing but Python 3; takes one or two minutes.
 
     scripts/make_assets.py [FOLDER]
 """
@@ -10,7 +10,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from assets import figure, furball, rabbit, turned  # noqa: E402
+from assets import figure, furball, parrot, rabbit, turned  # noqa: E402
 from assets.glb import Model, write_glb  # noqa: E402
 from assets.surface import coarse_mesh  # noqa: E402
 
@@ -30,6 +30,15 @@ def make_figure(path):
     positions, faces = coarse_mesh(shape, *figure.BOX, STEP, 400, figure.weight)
     vertices = [(p, shape.normal(p), (0.0, 0.0)) for p in positions]
     write_glb(path, "figure", vertices, faces, colour=figure.COLOUR)
+    return faces
+
+
+def make_parrot(path):
+    shape = parrot.body()
+    positions, faces = coarse_mesh(shape, *parrot.BOX, STEP, 680, parrot.weight)
+    colour = parrot.painter()
+    vertices = [(p, shape.normal(p), (0.0, 0.0), colour(p)) for p in positions]
+    write_glb(path, "parrot", vertices, faces)
     return faces
 
 
@@ -60,7 +69,7 @@ def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent / "assets"
     folder.mkdir(parents=True, exist_ok=True)
     for name, make in (("rabbit", make_rabbit), ("figure", make_figure), ("pawn", make_pawn), ("ball", make_ball),
-                       ("furball", make_furball)):
+                       ("furball", make_furball), ("parrot", make_parrot)):
         path = folder / f"{name}.glb"
         print(f"{path}: {len(make(path))} triangles")
 

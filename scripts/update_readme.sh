@@ -11,7 +11,7 @@ if [ -f "$swiftshader" ]; then
 fi
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
-models="assets/rabbit.glb assets/figure.glb assets/pawn.glb assets/ball.glb shape:torus shape:icosahedron"
+models="assets/rabbit.glb assets/figure.glb assets/pawn.glb assets/ball.glb assets/parrot.glb shape:torus shape:icosahedron"
 {
     printf 'Measured by `tessera verify %s --all --factor random:1..9 --markdown`:\n\n' "$models"
     # shellcheck disable=SC2086  # a list of words

@@ -34,10 +34,11 @@ def only_used(vertices, faces):
 
 
 def write_glb(path, name, vertices, faces, image=None, colour=(1.0, 1.0, 1.0, 1.0)):
-    """One mesh of one primitive; each vertex is (position, unit normal, uv). Those that no face uses are left out."""
+    """One mesh of one primitive; each vertex is (position, unit normal, uv), and all may have a fourth: a linear colour.
+    Those that no face uses are left out."""
     vertices, faces = only_used(vertices, faces)
     assert len(vertices) < 65536
-    flat = [single(tuple(p) + tuple(n) + tuple(t)) for p, n, t in vertices]
+    flat = [single(tuple(p) + tuple(n) + tuple(t)) for p, n, t, *_ in vertices]
     data = b"".join(struct.pack("<8f", *v) for v in flat)
     views = [{"buffer": 0, "byteLength": len(data), "byteStride": 32, "target": 34962}]
 
@@ -56,6 +57,11 @@ def write_glb(path, name, vertices, faces, image=None, colour=(1.0, 1.0, 1.0, 1.
     accessors.append({"bufferView": 1, "componentType": 5123, "count": 3 * len(faces), "type": "SCALAR"})
     surface = {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.7}
     primitive = {"attributes": {a[0]: i for i, a in enumerate(attributes)}, "indices": 3, "material": 0}
+    if len(vertices[0]) > 3:
+        colours = b"".join(struct.pack("<4H", *(int(65535 * c + 0.5) for c in v[3]), 65535) for v in vertices)
+        primitive["attributes"]["COLOR_0"] = len(accessors)
+        accessors.append({"bufferView": view(colours, target=34962), "componentType": 5123, "normalized": True,
+                          "count": len(vertices), "type": "VEC4"})
     document = {
         "asset": {"version": "2.0", "generator": "Tessera make_assets.py", "copyright": "the Tessera authors, MIT"},
         "scene": 0,

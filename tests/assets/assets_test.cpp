@@ -1,5 +1,5 @@
 // The project's own models are what assets/README.md says: closed, consistently wound, outward, smooth where they
-// should be, and the furball has its hair.
+// should be; the furball has its hair, and the parrot its colours.
 #include "scene/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace tessera::test {
 namespace {
@@ -158,6 +159,34 @@ TEST(Assets, TheFurballsHairGrowsFromItsSkinOutward) {
             EXPECT_GT(guides.widths[i], 0.0f);
         }
         begin = end;
+    }
+}
+
+TEST(Assets, OnlyTheParrotIsPaintedAndOnBothSidesAlike) {
+    for (const std::string& name : asset_names()) {
+        const scene::Scene scene = scene::load_scene((folder / name).string());
+        for (const scene::Mesh& mesh : scene.meshes)
+            EXPECT_EQ(name == "parrot.glb" ? mesh.positions.size() : 0, mesh.colors.size()) << name;
+    }
+    const scene::Scene scene = scene::load_scene((folder / "parrot.glb").string());
+    const scene::Mesh& mesh = scene.meshes.at(0);
+    std::map<std::array<float, 3>, glm::vec4> colours;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        colours[{mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z}] = mesh.colors[i];
+    std::set<std::array<float, 3>> different;
+    glm::vec4 least(1.0f), most(0.0f);
+    for (const auto& [p, colour] : colours) {
+        ASSERT_EQ(1u, colours.count({-p[0], p[1], p[2]})) << p[0] << " " << p[1] << " " << p[2];
+        EXPECT_EQ(colour, (colours[{-p[0], p[1], p[2]}])) << p[0] << " " << p[1] << " " << p[2];
+        different.insert({colour.r, colour.g, colour.b});
+        least = glm::min(least, colour);
+        most = glm::max(most, colour);
+    }
+    EXPECT_GT(different.size(), colours.size() / 3) << "the colours vary from vertex to vertex";
+    EXPECT_EQ(least.a, 1.0f);
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_LT(least[channel], 0.1f);
+        EXPECT_GT(most[channel], 0.5f);
     }
 }
 
