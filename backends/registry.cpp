@@ -22,7 +22,7 @@ struct Entry {
     std::string_view name;
     Inventory (*list)();
     std::unique_ptr<gpu::Backend> (*open)(std::size_t index);
-    std::unique_ptr<render::Rasteriser> (*open_rasteriser)(std::size_t index);                    // null: draws nothing
+    std::unique_ptr<render::Rasteriser> (*open_rasteriser)(const gpu::Device& device);            // null: draws nothing
     std::unique_ptr<verify::FixedFunctionTessellator> (*open_fixed_function)(std::size_t index);  // null: has none
     std::unique_ptr<bench::TimedStage> (*open_timed_stage)(std::size_t index);                    // likewise
 };
@@ -162,7 +162,7 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id) {
     if (!id.empty()) {
         const Found wanted = choose(id);
         if (draws(wanted)) {
-            return wanted.entry->open_rasteriser(wanted.index);
+            return wanted.entry->open_rasteriser(gpu::Device(wanted.entry->open(wanted.index)));
         }
     }
     const Search search = look_everywhere();
@@ -171,7 +171,15 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id) {
         throw Error(ErrorKind::device_unavailable,
                     fmt::format("No device here draws triangles, which a picture needs; {}", describe(search)));
     }
-    return first->entry->open_rasteriser(first->index);
+    return first->entry->open_rasteriser(gpu::Device(first->entry->open(first->index)));
+}
+
+std::unique_ptr<render::Rasteriser> open_rasteriser(const gpu::Device& device) {
+    const auto entry = std::ranges::find(entries, device.info().backend, &Entry::name);
+    if (!device.info().rasteriser || entry == entries.end() || entry->open_rasteriser == nullptr) {
+        throw Error(ErrorKind::device_unavailable, fmt::format("{} has no rasteriser of its own.", device.info().id));
+    }
+    return entry->open_rasteriser(device);
 }
 
 std::unique_ptr<verify::FixedFunctionTessellator> open_fixed_function(const std::string& id) {

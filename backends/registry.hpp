@@ -22,6 +22,10 @@ gpu::Device open_device(const std::string& id);
 /// Throws Error(device_unavailable) where none can, with what was found.
 std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id = "");
 
+/// Opens the rasteriser of an open device, which draws from the device's buffers too. Throws Error(device_unavailable)
+/// where it has none.
+std::unique_ptr<render::Rasteriser> open_rasteriser(const gpu::Device& device);
+
 /// Opens the tessellation stage of the named device, or for "" of the first device that has one which can be captured.
 /// Throws Error(device_unavailable) with every device's reason where none can.
 std::unique_ptr<verify::FixedFunctionTessellator> open_fixed_function(const std::string& id = "");

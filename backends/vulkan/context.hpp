@@ -1,4 +1,5 @@
-// One logical device with its queue: what the compute backend and the rasteriser are built on. Each makes its own.
+// One logical device with its queue: what the compute backend, the rasteriser on it, and what captures and times the
+// tessellation stage are built on.
 #pragma once
 
 #include <functional>

@@ -5,6 +5,7 @@
 #include "backends/vulkan/errors.hpp"
 #include "backends/vulkan/pipeline.hpp"
 #include "backends/vulkan/recorder.hpp"
+#include "backends/vulkan/sharing.hpp"
 
 namespace tessera::backends::vulkan {
 namespace {
@@ -13,7 +14,8 @@ vk::BufferUsageFlags usage_flags(gpu::BufferUsage usage) {
     using Flag = vk::BufferUsageFlagBits;
     // Any buffer may be written and read through staging, whatever its user may do with it.
     vk::BufferUsageFlags flags = Flag::eTransferSrc | Flag::eTransferDst;
-    if (has(usage, gpu::BufferUsage::storage)) flags |= Flag::eStorageBuffer;
+    // What kernels write may be drawn, too.
+    if (has(usage, gpu::BufferUsage::storage)) flags |= Flag::eStorageBuffer | Flag::eVertexBuffer | Flag::eIndexBuffer;
     if (has(usage, gpu::BufferUsage::uniform)) flags |= Flag::eUniformBuffer;
     if (has(usage, gpu::BufferUsage::indirect)) flags |= Flag::eIndirectBuffer;
     return flags;
@@ -76,6 +78,8 @@ public:
         guarded("waiting for the device", [&] { timeline_.wait_all(); });
     }
 
+    Shared share() { return {context_, timeline_}; }
+
     Counters counters() const {
         Counters result = counters_;
         result.allocations += recorder_.allocations();
@@ -104,6 +108,10 @@ Counters counters(const gpu::Backend& backend) {
     return dynamic_cast<const VulkanBackend&>(backend).counters();
 }
 
+Shared share(const gpu::Device& device) {
+    return dynamic_cast<VulkanBackend&>(device.backend()).share();
+}
+
 Inventory list() {
     Inventory inventory;
     try {
@@ -124,7 +132,9 @@ Inventory list() {
 }
 
 std::unique_ptr<gpu::Backend> open(std::size_t index, HostAccess access) {
-    Context context = create_context(index);
+    vk::PhysicalDeviceFeatures wanted;
+    wanted.fullDrawIndexUint32 = VK_TRUE;  // for what is drawn from its buffers
+    Context context = create_context(index, wanted);
     return guarded("opening a device", [&]() -> std::unique_ptr<gpu::Backend> {
         gpu::DeviceInfo info = describe(context.physical, index);
         return std::make_unique<VulkanBackend>(std::move(context), std::move(info), access);

@@ -1,5 +1,6 @@
 #include "backends/vulkan/vulkan_rasteriser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -7,6 +8,7 @@
 #include "backends/vulkan/raster_pipelines.hpp"
 #include "backends/vulkan/raster_stream.hpp"
 #include "backends/vulkan/raster_textures.hpp"
+#include "backends/vulkan/sharing.hpp"
 #include "render/triangle_batches.hpp"
 
 namespace tessera::backends::vulkan {
@@ -31,8 +33,10 @@ MaterialConstants constants_of(const scene::Material& material) {
 
 class VulkanRasteriser : public render::Rasteriser {
 public:
-    explicit VulkanRasteriser(Context context)
-        : context_(std::move(context)),
+    explicit VulkanRasteriser(const gpu::Device& device)
+        : device_(device),
+          context_(share(device).context),
+          timeline_(share(device).timeline),
           passes_(create_raster_passes(context_)),
           pipelines_(context_, passes_),
           textures_(context_, pipelines_.sampler_set_layout()),
@@ -72,7 +76,7 @@ public:
         textures_.upload(stream_, materials, images);
         materials_ = materials;
         stream_.set_frame([this](const vk::raii::CommandBuffer& commands) { begin_pass(commands); },
-                          [](const vk::raii::CommandBuffer& commands) { commands.endRenderPass(); });
+                          [](const vk::raii::CommandBuffer& commands) { end_pass(commands); });
         state_ = State::drawing;
     }
 
@@ -85,6 +89,27 @@ public:
             draw_batch(batch, draw);
             indices = indices.subspan(batch.indices.size());
         }
+    }
+
+    // A wireframe tells corners by their place in a draw without indices.
+    bool draws_from(const gpu::Device& device) const override {
+        return device == device_ && shading_ != render::Shading::wireframe &&
+               context_.features.fullDrawIndexUint32 == VK_TRUE;
+    }
+
+    void draw(std::span<const render::DeviceDraw> draws) override {
+        require(State::drawing, "draw", "set_materials");
+        if (!draws_from(device_)) {
+            Rasteriser::draw(draws);  // refuses
+            return;
+        }
+        for (const render::DeviceDraw& draw : draws) {
+            render::check_draw(draw, materials_.size());
+            record_draw(draw);
+        }
+        // Behind what the device's queue was given, and before what comes.
+        guarded("submitting work", [&] { timeline_.submit(); });
+        stream_.submit();
     }
 
     image::Image finish() override {
@@ -146,6 +171,11 @@ private:
         const std::array<vk::ClearValue, 2> clear = {
             vk::ClearColorValue(std::array<float, 4>{b.r * b.a, b.g * b.a, b.b * b.a, b.a}),
             vk::ClearDepthStencilValue(1.0f, 0)};
+        // Kernels may have written what is drawn.
+        commands.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eVertexInput, {},
+                                 vk::MemoryBarrier(Access::eShaderWrite | Access::eTransferWrite,
+                                                   Access::eVertexAttributeRead | Access::eIndexRead),
+                                 {}, {});
         const vk::RenderPass pass = cleared_ ? *passes_.draw : *passes_.clear;
         cleared_ = true;
         const vk::RenderPassBeginInfo info(pass, *targets_.draw_framebuffer,
@@ -153,6 +183,12 @@ private:
         commands.beginRenderPass(info, vk::SubpassContents::eInline);
         set_viewport(commands);
         commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines_.mesh_layout(), 0, frame_set_, {});
+    }
+
+    // Kernels may write next to what was drawn.
+    static void end_pass(const vk::raii::CommandBuffer& commands) {
+        commands.endRenderPass();
+        commands.pipelineBarrier(Stage::eVertexInput, Stage::eComputeShader | Stage::eTransfer, {}, {}, {}, {});
     }
 
     void draw_batch(const render::TriangleBatch& batch, const render::Draw& draw) {
@@ -177,8 +213,20 @@ private:
             render::write_local_indices(batch, reinterpret_cast<std::uint32_t*>(piece.data + indices_at));
         }
 
-        const bool blend = material.alpha_mode == scene::AlphaMode::blend && !wireframe;
         const vk::raii::CommandBuffer& commands = stream_.commands();
+        bind_material(commands, material, coloured);
+        commands.bindVertexBuffers(0, {piece.buffer, piece.buffer}, {piece.offset, piece.offset + vertex_bytes});
+        const auto count = static_cast<std::uint32_t>(batch.indices.size());
+        if (indexed) {
+            commands.bindIndexBuffer(piece.buffer, piece.offset + indices_at, vk::IndexType::eUint32);
+            commands.drawIndexed(count, 1, 0, 0, 0);
+        } else {
+            commands.draw(count, 1, 0, 0);
+        }
+    }
+
+    void bind_material(const vk::raii::CommandBuffer& commands, const scene::Material& material, bool coloured) {
+        const bool blend = material.alpha_mode == scene::AlphaMode::blend && shading_ != render::Shading::wireframe;
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics,
                               pipelines_.mesh({shading_, material.double_sided, blend, coloured}));
         commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, pipelines_.mesh_layout(), 1,
@@ -187,13 +235,31 @@ private:
         if (!blend) constants.keeps_alpha = 0;
         commands.pushConstants<MaterialConstants>(pipelines_.mesh_layout(), vk::ShaderStageFlagBits::eFragment, 0,
                                                   constants);
-        commands.bindVertexBuffers(0, {piece.buffer, piece.buffer}, {piece.offset, piece.offset + vertex_bytes});
-        const auto count = static_cast<std::uint32_t>(batch.indices.size());
-        if (indexed) {
-            commands.bindIndexBuffer(piece.buffer, piece.offset + indices_at, vk::IndexType::eUint32);
-            commands.drawIndexed(count, 1, 0, 0, 0);
-        } else {
-            commands.draw(count, 1, 0, 0);
+    }
+
+    void record_draw(const render::DeviceDraw& draw) {
+        const bool coloured = bool{draw.attributes};
+        const VertexAttributes white{};
+        const RasterStream::Piece piece = stream_.reserve(sizeof(white));
+        std::memcpy(piece.data, &white, sizeof(white));
+        const vk::raii::CommandBuffer& commands = stream_.commands();
+        bind_material(commands, materials_[draw.material], coloured);
+        const auto used = [&](const gpu::Buffer& buffer) {
+            Buffer& shared = shared_buffer(buffer);
+            shared.vulkan.use();
+            return *shared.vulkan->buffer;
+        };
+        const vk::DeviceSize at = draw.first_vertex * sizeof(Vertex);
+        const vk::DeviceSize attributes_at = draw.first_vertex * sizeof(VertexAttributes);
+        commands.bindVertexBuffers(0, {used(draw.vertices), coloured ? used(draw.attributes) : piece.buffer},
+                                   {at, coloured ? attributes_at : piece.offset});
+        commands.bindIndexBuffer(used(draw.indices), 0, vk::IndexType::eUint32);
+        constexpr std::uint64_t most = 3 * render::TriangleBatch::max_triangles;
+        for (std::uint64_t first = 0; first < draw.index_count; first += most) {
+            // The offset is added modulo 2^32.
+            commands.drawIndexed(static_cast<std::uint32_t>(std::min(draw.index_count - first, most)), 1,
+                                 static_cast<std::uint32_t>(draw.first_index + first),
+                                 static_cast<std::int32_t>(0u - draw.index_base), 0);
         }
     }
 
@@ -235,7 +301,9 @@ private:
     }
 
     // Members are destroyed in reverse: the stream, which waits for the device, goes before what the device reads.
-    Context context_;
+    gpu::Device device_;
+    const Context& context_;
+    Timeline& timeline_;
     RasterPasses passes_;
     RasterPipelines pipelines_;
     vk::raii::DescriptorPool sets_{nullptr};
@@ -254,8 +322,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<render::Rasteriser> open_rasteriser(std::size_t index) {
-    return std::make_unique<VulkanRasteriser>(create_context(index));
+std::unique_ptr<render::Rasteriser> open_rasteriser(const gpu::Device& device) {
+    return std::make_unique<VulkanRasteriser>(device);
 }
 
 }  // namespace tessera::backends::vulkan

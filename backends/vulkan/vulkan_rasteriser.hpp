@@ -7,14 +7,14 @@
 // material opaque.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 
 #include "render/rasteriser.hpp"
 
 namespace tessera::backends::vulkan {
 
-/// Opens device `index` of list() for drawing. Throws Error(device_unavailable) where it is missing or cannot draw.
-std::unique_ptr<render::Rasteriser> open_rasteriser(std::size_t index);
+/// Draws on a device that open() made, and keeps it alive. Draws come from its buffers too but for wireframes, and but
+/// for devices whose indices have fewer than 32 bits.
+std::unique_ptr<render::Rasteriser> open_rasteriser(const gpu::Device& device);
 
 }  // namespace tessera::backends::vulkan

@@ -96,7 +96,7 @@ int run(const Context& context, const BenchWords& words) {
         }
     }
     settings.rasterisers.own = [](const gpu::Device& device) {
-        return device.info().rasteriser ? backends::open_rasteriser(device.info().id) : nullptr;
+        return device.info().rasteriser ? backends::open_rasteriser(device) : nullptr;
     };
     settings.rasterisers.portable = [](const gpu::Device& device) { return raster::open_portable(device); };
     settings.missing = peers::peers_not_built();

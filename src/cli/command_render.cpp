@@ -110,7 +110,7 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, co
                                  device.info().id));
     }
     if (which == "device" || (which == "auto" && has_own && frame.samples == 4 && common)) {
-        return backends::open_rasteriser(device.info().id);
+        return backends::open_rasteriser(device);
     }
     return raster::open_portable(device);
 }

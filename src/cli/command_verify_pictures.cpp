@@ -28,7 +28,7 @@ struct OwnRasteriser {
 std::vector<OwnRasteriser> open_own_rasterisers(const std::vector<gpu::Device>& devices) {
     std::vector<OwnRasteriser> own;
     for (const gpu::Device& device : devices) {
-        if (device.info().rasteriser) own.push_back({device, backends::open_rasteriser(device.info().id)});
+        if (device.info().rasteriser) own.push_back({device, backends::open_rasteriser(device)});
     }
     return own;
 }

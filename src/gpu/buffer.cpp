@@ -47,6 +47,13 @@ const std::string& Buffer::label() const {
     return detail::not_null(state_, "Buffer::label", "buffer").descriptor.label;
 }
 
+BackendObject& Buffer::object() const {
+    const detail::BufferState& state = detail::not_null(state_, "Buffer::object", "buffer");
+    if (state.object == nullptr)
+        detail::refuse("Buffer::object was called on buffer '{}', which was destroyed.", state.descriptor.label);
+    return *state.object;
+}
+
 void Buffer::destroy() {
     detail::not_null(state_, "Buffer::destroy", "buffer").object.reset();
 }

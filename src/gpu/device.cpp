@@ -19,6 +19,10 @@ const Traffic& Device::traffic() const {
     return detail::not_null(state_, "Device::traffic", "device").traffic;
 }
 
+Backend& Device::backend() const {
+    return *detail::not_null(state_, "Device::backend", "device").backend;
+}
+
 Queue Device::queue() const {
     detail::not_null(state_, "Device::queue", "device");
     Queue queue;

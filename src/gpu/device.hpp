@@ -39,6 +39,8 @@ public:
     const std::string& label() const;
     /// Frees the memory now, once work already submitted is done; any later use of any copy of this handle throws.
     void destroy();
+    /// For code of this device's backend that works beside this interface. Throws Error(usage) where it was destroyed.
+    BackendObject& object() const;
 
     std::shared_ptr<detail::BufferState> state_;  // for the shared code only
 };
@@ -148,6 +150,8 @@ public:
     const DeviceInfo& info() const;
     const Limits& limits() const { return info().limits; }
     const Traffic& traffic() const;
+    /// For code of this backend that works beside this interface.
+    Backend& backend() const;
     Queue queue() const;
     /// New memory holds zeros.
     Buffer create_buffer(const BufferDescriptor& descriptor);

@@ -81,10 +81,12 @@ public:
 
     bool draws_from(const gpu::Device& device) const override { return device == device_; }
 
-    void draw(const render::DeviceDraw& draw) override {
+    void draw(std::span<const render::DeviceDraw> draws) override {
         require(State::drawing, "draw", "set_materials");
-        render::check_draw(draw, materials_.size());
-        draw_checked(draw);
+        for (const render::DeviceDraw& draw : draws) {
+            render::check_draw(draw, materials_.size());
+            draw_checked(draw);
+        }
     }
 
     image::Image finish() override {

@@ -43,7 +43,7 @@ void check_draw(const DeviceDraw& draw, std::size_t material_count) {
     }
 }
 
-void Rasteriser::draw(const DeviceDraw&) {
+void Rasteriser::draw(std::span<const DeviceDraw> /*draws*/) {
     throw Error(ErrorKind::usage, "This rasteriser draws from host memory alone; read the mesh back first.");
 }
 

@@ -15,8 +15,9 @@ struct DeviceDraw {
     gpu::Buffer attributes;                            ///< null, or VertexAttributes beside each vertex of `vertices`
     std::uint64_t first_vertex = 0, vertex_count = 0;  ///< the draw's vertices in the buffers
     std::uint64_t first_index = 0, index_count = 0;    ///< the draw's triangles in `indices`
-    std::uint32_t index_base = 0;  ///< the index that names first_vertex; triangles with others than the draw's
-                                   ///< vertices are dropped
+    /// The index that names first_vertex. Triangles with others than the draw's vertices are dropped by the portable
+    /// rasteriser; a device's own does with them what its API does.
+    std::uint32_t index_base = 0;
     std::uint32_t material = 0;
 };
 

@@ -48,6 +48,7 @@ void DrawSink::append(const MeshBatch& batch) {
 
 bool DrawSink::take_from_device(const DeviceMeshBatch& batch) {
     if (!rasteriser_.draws_from(batch.device)) return false;
+    std::vector<DeviceDraw> draws;
     for (const MeshPart& part : parts_) {
         const Share share = share_of(batch, batch.vertex_count, batch.index_count, part);
         if (share.index_count == 0) continue;
@@ -61,8 +62,9 @@ bool DrawSink::take_from_device(const DeviceMeshBatch& batch) {
         draw.index_count = share.index_count;
         draw.index_base = static_cast<std::uint32_t>(share.first_vertex);
         draw.material = part.material;
-        rasteriser_.draw(draw);
+        draws.push_back(std::move(draw));
     }
+    rasteriser_.draw(draws);
     return true;
 }
 

@@ -11,6 +11,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tessera::render {
@@ -89,11 +90,12 @@ public:
     void draw(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices, std::uint32_t material) {
         draw(Draw{vertices, indices, material});
     }
-    /// Whether draws may come from buffers of this device.
+    /// Whether draws of the frame that was begun may come from buffers of this device.
     virtual bool draws_from(const gpu::Device& /*device*/) const { return false; }
-    /// Draws triangles that lie on such a device, after what its queue was given before. Throws like check_draw, and
-    /// Error(usage) where draws_from() is false for all devices.
-    virtual void draw(const DeviceDraw& draw);
+    /// Draws triangles that lie on such a device, in order, between what its queue was given before and what it is
+    /// given from now on. Throws like check_draw, and Error(usage) where draws_from() is false for all devices.
+    virtual void draw(std::span<const DeviceDraw> draws);
+    void draw(const DeviceDraw& one) { draw(std::span(&one, 1)); }
     /// Resolves and reads the image back.
     virtual image::Image finish() = 0;
 };

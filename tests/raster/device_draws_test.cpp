@@ -1,10 +1,8 @@
-// Draws from device memory: the picture of the same mesh in host memory, without a vertex read back.
+// Draws from parts of buffers, and from wrong ones.
 #include "base/error.hpp"
 #include "raster/portable.hpp"
 #include "raster/portable_rasteriser.hpp"
-#include "render/mesh_sinks.hpp"
 #include "support/devices.hpp"
-#include "tessellate/scene_tessellator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,81 +10,6 @@ namespace tessera::test {
 namespace {
 
 constexpr auto usage = gpu::BufferUsage::storage | gpu::BufferUsage::copy_destination;
-
-/// A DrawSink that takes nothing from the device.
-class HostSink final : public MeshSink {
-public:
-    explicit HostSink(render::DrawSink& sink) : sink_(sink) {}
-    void append(const MeshBatch& batch) override { sink_.append(batch); }
-
-private:
-    render::DrawSink& sink_;
-};
-
-/// A model in several parts, with colours where `colors`, in batches so small that they cut through parts.
-struct Model {
-    scene::Scene scene = scene::load_scene("shape:cube");
-    patches::PatchSet set;
-    TessellationOptions options;
-
-    explicit Model(bool colors) {
-        scene::Mesh second = scene.meshes.front();
-        for (glm::vec3& position : second.positions) {
-            position += glm::vec3(0.5f, 0.25f, 0.125f);
-        }
-        second.material = 1;
-        scene.materials.resize(2);
-        scene.materials[1].base_color = glm::vec4(0.9f, 0.3f, 0.1f, 0.5f);
-        scene.materials[1].alpha_mode = scene::AlphaMode::blend;
-        scene.meshes.push_back(second);
-        set = patches::make_patches(scene);
-        if (colors) {
-            set.has_colors = true;
-            set.corner_attributes.resize(set.patch_count());
-            for (std::size_t i = 0; i < set.patch_count(); ++i) {
-                for (std::size_t corner = 0; corner < 4; ++corner) {
-                    float* color = set.corner_attributes[i][corner].color;
-                    color[0] = 0.25f * static_cast<float>(corner);
-                    color[1] = 1.0f;
-                    color[2] = i % 2 == 0 ? 1.0f : 0.0f;
-                    color[3] = 1.0f;
-                }
-            }
-        }
-        options.factors = PatchFactors{40, 40, 40, 40, 40, 40};
-        options.scheme = Scheme::pn;
-        options.memory_budget = std::uint64_t{512} << 10;
-    }
-
-    image::Image draw(const gpu::Device& device, render::Shading shading, bool from_device) const {
-        SceneTessellator tessellator(device, set, options, {}, {});
-        render::Frame frame = flat_frame(90, 70, 4);
-        frame.shading = shading;
-        const auto rasteriser = raster::open_portable(device);
-        rasteriser->begin(frame);
-        rasteriser->set_materials(scene.materials, {});
-        render::DrawSink sink(*rasteriser, tessellator.totals().parts);
-        HostSink host(sink);
-        const std::uint64_t read = device.traffic().read;
-        tessellator.run(from_device ? static_cast<MeshSink&>(sink) : host, Space::kernel);
-        const std::uint64_t output = tessellator.totals().vertex_count * sizeof(Vertex);
-        EXPECT_EQ(device.traffic().read - read < output, from_device);
-        return rasteriser->finish();
-    }
-};
-
-TEST(DeviceDraws, ShowWhatDrawsOfTheHostShow) {
-    for (const bool colors : {false, true}) {
-        const Model model(colors);
-        for (const auto shading : {render::Shading::phong, render::Shading::pbr, render::Shading::uv}) {
-            const image::Image expected = model.draw(open_device("reference"), shading, false);
-            for (const gpu::Device& device : open_every_device()) {
-                EXPECT_EQ(model.draw(device, shading, true).rgba, expected.rgba)
-                    << device.info().id << ", shading " << static_cast<int>(shading) << (colors ? ", colours" : "");
-            }
-        }
-    }
-}
 
 /// A square of two triangles behind `unused` other vertices and indices, named from `base`.
 struct DeviceSquare {

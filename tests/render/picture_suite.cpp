@@ -97,8 +97,8 @@ void Picture::SetUp() {
     frame.camera = flat_camera();
     frame.shading = render::Shading::normals;
     frame.background = glm::vec4(0.0f);
-    rasteriser = GetParam().portable ? raster::open_portable(open_device(GetParam().device))
-                                     : backends::open_rasteriser(GetParam().device);
+    device = GetParam().portable ? open_device(GetParam().device) : backends::open_device(GetParam().device);
+    rasteriser = GetParam().portable ? raster::open_portable(device) : backends::open_rasteriser(device);
     if (has_vulkan()) {
         EXPECT_EQ(vulkan::validation_active(), vulkan::validation_wanted());
     }
@@ -106,6 +106,7 @@ void Picture::SetUp() {
 
 void Picture::TearDown() {
     rasteriser.reset();
+    device = {};
     for (const std::string& message : vulkan::take_validation_messages())
         ADD_FAILURE() << message;
 }

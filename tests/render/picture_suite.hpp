@@ -46,7 +46,8 @@ std::string drawer_name(const testing::TestParamInfo<Drawer>& drawer);
 /// Every rasteriser of this machine.
 std::vector<Drawer> drawers();
 
-/// Runs with each of drawers(). `rasteriser` is opened for each test, so that its destruction is validated as well.
+/// Runs with each of drawers(). What is Vulkan's own is opened for each test, so that its destruction is validated as
+/// well.
 class Picture : public testing::TestWithParam<Drawer> {
 protected:
     void SetUp() override;
@@ -57,6 +58,7 @@ protected:
                       const std::vector<scene::SceneImage>& images = {});
 
     render::Frame frame;  ///< what draw() begins with
+    gpu::Device device;   ///< of the rasteriser
     std::unique_ptr<render::Rasteriser> rasteriser;
 };
 

@@ -1,5 +1,5 @@
 // Wrong calls are refused with the value that is wrong, and the rasteriser is as good as new afterwards.
-#include "backends/vulkan/vulkan_rasteriser.hpp"
+#include "backends/vulkan/vulkan_backend.hpp"
 #include "base/error.hpp"
 #include "render/picture_suite.hpp"
 
@@ -65,7 +65,7 @@ TEST_P(Misuse, OfImagesIsRefused) {
 
 TEST(OpenRasteriser, RefusesADeviceThatIsNotThere) {
     try {
-        backends::vulkan::open_rasteriser(1000);
+        backends::vulkan::open(1000);
         ADD_FAILURE() << "device 1000 was opened";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::device_unavailable);
