@@ -3,9 +3,9 @@
 //
 //   build/release/bench_raster --benchmark_filter=opencl --benchmark_repetitions=5
 //
-// "portable" draws a mesh that lies on the device, "upload" and "device" (the device's own rasteriser) one that lies in
-// memory: an iteration uploads it, where it has to, draws, and reads the picture back. Kernels are compiled before the
-// clock starts.
+// "portable" and "device" (the device's own rasteriser) draw a mesh that lies on the device, "upload" one that lies in
+// memory, by the portable one: an iteration draws and reads the picture back. Kernels are compiled before the clock
+// starts.
 #include "tessera.hpp"
 
 #include <benchmark/benchmark.h>
@@ -42,15 +42,14 @@ void draw(benchmark::State& state, const std::string& id, How how, std::uint32_t
     render::Frame frame;
     frame.camera = framing.camera();
     frame.samples = samples;
-    const bool portable = how != How::device;
-    const gpu::Device device = portable ? backends::open_device(id) : gpu::Device();
-    const auto rasteriser = portable ? raster::open_portable(device) : backends::open_rasteriser(id);
+    const gpu::Device device = backends::open_device(id);
+    const auto rasteriser = how == How::device ? backends::open_rasteriser(device) : raster::open_portable(device);
     const auto resident =
-        how == How::portable ? render::upload_mesh(device, mesh.vertices, mesh.indices) : render::DeviceDraw{};
+        how != How::upload ? render::upload_mesh(device, mesh.vertices, mesh.indices) : render::DeviceDraw{};
     const auto picture = [&] {
         rasteriser->begin(frame);
         rasteriser->set_materials({{}}, {});
-        if (how == How::portable) {
+        if (how != How::upload) {
             rasteriser->draw(resident);
         } else {
             rasteriser->draw(mesh.vertices, mesh.indices, 0);

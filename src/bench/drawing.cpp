@@ -37,8 +37,11 @@ public:
         frame_.samples = samples;
     }
 
-    /// From now on the mesh lies on this device.
-    void put_on(const gpu::Device& device) { resident_ = render::upload_mesh(device, mesh_.vertices, mesh_.indices); }
+    /// From now on the mesh lies on this device, where the rasteriser can draw from there.
+    void put_on(const gpu::Device& device) {
+        rasteriser_->begin(frame_);
+        if (rasteriser_->draws_from(device)) resident_ = render::upload_mesh(device, mesh_.vertices, mesh_.indices);
+    }
 
     const std::string& name() const { return name_; }
 
@@ -75,7 +78,11 @@ std::vector<Drawer> drawers_of(const std::vector<gpu::Device>& devices, const Ra
             drawers.emplace_back(portable_contestant(id, 4, true), rasterisers.portable(device), mesh, 4);
         }
         auto own = rasterisers.own ? rasterisers.own(device) : nullptr;
-        if (own != nullptr) drawers.emplace_back(own_contestant(id), std::move(own), mesh, 4);
+        if (own != nullptr) {
+            drawers.emplace_back(own_contestant(id, false), std::move(own), mesh, 4);
+            drawers.back().put_on(device);
+            drawers.emplace_back(own_contestant(id, true), rasterisers.own(device), mesh, 4);
+        }
     }
     return drawers;
 }
@@ -112,8 +119,8 @@ std::string portable_contestant(const std::string& device, std::uint32_t samples
                        uploaded ? ", uploaded" : "");
 }
 
-std::string own_contestant(const std::string& device) {
-    return fmt::format("{}{}, 4 samples, uploaded", own_prefix, device);
+std::string own_contestant(const std::string& device, bool uploaded) {
+    return fmt::format("{}{}, 4 samples{}", own_prefix, device, uploaded ? ", uploaded" : "");
 }
 
 void measure_drawing(Report& report, const std::vector<gpu::Device>& devices, const Effort& effort,

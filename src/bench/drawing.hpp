@@ -16,7 +16,7 @@ void measure_drawing(Report& report, const std::vector<gpu::Device>& devices, co
 
 /// Names of contestants. The mesh lies on the device, or where it is `uploaded` in host memory.
 std::string portable_contestant(const std::string& device, std::uint32_t samples, bool uploaded);
-/// With 4 samples; the mesh lies in host memory.
-std::string own_contestant(const std::string& device);
+/// With 4 samples.
+std::string own_contestant(const std::string& device, bool uploaded);
 
 }  // namespace tessera::bench
