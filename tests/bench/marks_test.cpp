@@ -1,4 +1,5 @@
 #include "bench/marks.hpp"
+#include "bench/drawing.hpp"
 #include "bench/growth.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ const Mark& find(const std::vector<Mark>& marks, const std::string& words) {
 
 TEST(Marks, AreRatiosOfMedians) {
     const std::vector<Mark> marks = make_marks(software_report());
-    EXPECT_EQ(marks.size(), 10u);
+    EXPECT_EQ(marks.size(), 12u);
     EXPECT_DOUBLE_EQ(*find(marks, "W1 on PoCL against the hand-written").value, 1.2);
     EXPECT_TRUE(find(marks, "W1 on PoCL against the hand-written").met());
     EXPECT_DOUBLE_EQ(*find(marks, "PoCL against lavapipe fixed function").value, 50.0);
@@ -59,6 +60,18 @@ TEST(Marks, AreRatiosOfMedians) {
     EXPECT_DOUBLE_EQ(*find(marks, "reference backend").value, 0.4);
     EXPECT_TRUE(find(marks, "W1 on PoCL, whole job").met());
     EXPECT_TRUE(find(marks, "peak memory").met());
+}
+
+TEST(Marks, OfDrawingCompareMeshesOnDevices) {
+    Report report = software_report();
+    report.figures.push_back(figure("W7", portable_contestant("opencl:0", 4, false), 100));
+    report.figures.push_back(figure("W7", portable_contestant("opencl:0", 4, true), 150));
+    report.figures.push_back(figure("W7", portable_contestant("reference", 4, false), 80));
+    report.figures.push_back(figure("W7", own_contestant("vulkan:0", false), 450));
+    report.figures.push_back(figure("W7", own_contestant("vulkan:0", true), 500));
+    const std::vector<Mark> marks = make_marks(report);
+    EXPECT_DOUBLE_EQ(*find(marks, "W7 portable on PoCL").value, 4.5);
+    EXPECT_DOUBLE_EQ(*find(marks, "W7 reference").value, 1.25);
 }
 
 TEST(Marks, WhatWasNotMeasuredIsNotMet) {
