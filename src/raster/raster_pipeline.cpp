@@ -255,10 +255,13 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
                 raster.record(pass, parameters_.push(params), items);
                 params.first_entry += launch_.entries;
                 if (params.first_entry >= longest && !in_order) {
-                    params.entry_count = launch_.elements;
+                    kernels::DrawParams shade = params;
+                    shade.entry_count = launch_.shaded;
+                    shade.spread_log2 = launch_.shade_spread;
                     shade_stage(number, shade_kernel(params), texture)
-                        .record(pass, parameters_.push(params),
-                                items_of(std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS));
+                        .record(pass, parameters_.push(shade),
+                                (std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS / launch_.shaded)
+                                    << launch_.shade_spread);
                 }
             });
         } while (params.first_entry < longest);
