@@ -183,7 +183,7 @@ std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const ker
             const std::uint32_t at = parameters_.push(params);
             transform_.record(pass, at, items_of(params.vertex_count));
             setup_.record(pass, at, items_of(params.triangle_count));
-            clip_.record(pass, at, params.triangle_count);
+            clip_.record(pass, at, items_of(params.triangle_count));
         }
         const std::uint32_t at = parameters_.push(bin);
         count_.record(pass, at, std::uint64_t{bin.blocks} << bin.spread_log2);
