@@ -39,7 +39,8 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define to_int(x) int(x)
 #define RUN 1u
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
-#define RUN_AT(first, k) ((first) + (k))  // an index that does not wrap around within a run
+#define FOR_RUNS(k, count) for (uint k = 0u; k < (count); ++k)  // runs side by side: a long run that waits for itself
+#define RUN_AT(first, k) ((first) + (k))                        // an index that does not wrap around within a run
 // The statement for bit = 16, 8, 4, 2 and 1. Written out where runs are vectorised, for a loop in them prevents that;
 // a loop here, for some drivers take minutes over long code.
 #define FOR_BITS(bit, statement)                      \
@@ -106,6 +107,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define to_int(x) ((int)(x))
 #define RUN TESSERA_RUN  // kernels/streaming.h
 #define FOR_RUN(k) TESSERA_FOR_RUN for (uint k = 0u; k < RUN; ++k)
+#define FOR_RUNS(k, count) TESSERA_FOR_RUNS for (uint k = 0u; k < (count); ++k)
 #define RUN_AT(first, k) ((int)(first) + (int)(k))  // signed, so that the compiler sees neighbours
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 
@@ -176,6 +178,7 @@ KERNELS_END
 #define to_int(x) static_cast<int>(x)
 #define RUN 16u
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
+#define FOR_RUNS(k, count) for (uint k = 0u; k < (count); ++k)
 #define RUN_AT(first, k) (static_cast<int>(first) + static_cast<int>(k))  // signed, as in OpenCL
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 

@@ -50,8 +50,10 @@ typedef uint16 tessera_uint16;
 #endif
 #if defined(__clang__) && TESSERA_RUN > 1
 #define TESSERA_FOR_RUN _Pragma("clang loop vectorize(enable) vectorize_width(16) unroll(disable)")
+#define TESSERA_FOR_RUNS _Pragma("clang loop vectorize(enable) vectorize_width(16) interleave_count(2) unroll(disable)")
 #else
 #define TESSERA_FOR_RUN
+#define TESSERA_FOR_RUNS
 #endif
 
 #else  // C++

@@ -70,6 +70,7 @@
 #define FEW_ROWS 8u
 #define TRIANGLE_LEFT_SHIFT 2u
 #define TRIANGLE_LEFT_MASK 7u
+#define TRIANGLE_CLIPPED 32u  // not small, for it needs clipping
 #define TRIANGLE_COVERED_SHIFT 16u
 #define SMALL_EXTENT 16384
 
@@ -80,7 +81,7 @@
 // Bounds of a triangle in sample columns and rows of the image, two words: first | last << 16 of each.
 #define BOUNDS_WORDS 2u
 #define BOUNDS_EMPTY 0x0000ffffu
-#define BOUNDS_UNKNOWN 0x0001ffffu  // as columns of a triangle that the clip stage has to look at
+#define BOUNDS_UNKNOWN 0x0001ffffu  // as columns of a triangle that is not small, until the clip stage
 
 // What lies before the texels of a texture: sRGB codes as linear floats; a table from linear floats to codes (two
 // floats per entry); where each mip level begins, in words of the buffer; the look of the picture and the material;

@@ -43,6 +43,9 @@ KERNEL5(raster_cover, READ(0, uint, bins), READ(1, uint, triangles), WRITE(2, ui
     const int axis_mask = (1 << p.axis_log2) - 1;
     for (uint n = first; n < last; ++n) {
         const uint triangle = bins[n];
+        const uint soon = bins[n + 8u < last ? n + 8u : n];  // other processors have written what is to come
+        PREFETCH(triangles, soon * BOUNDS_WORDS);
+        PREFETCH(triangles, p.records_at + soon * TRIANGLE_WORDS);
         const uint columns = triangles[triangle * BOUNDS_WORDS];
         const uint rows = triangles[triangle * BOUNDS_WORDS + 1u];
         const int first_row = larger(to_int(rows & 0xffffu), part.first_row);

@@ -52,12 +52,13 @@ KERNEL4(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, ui
             const bool gone = ((all & OUT_MASK) | (any & OUT_INVALID)) != 0u;
             const uint clipped = choose_bits(gone, 0u, any & OUT_CLIP);
             const uint empty = choose_bits(gone, 1u, choose_bits(t.drawn, 0u, 1u));
-            columns[k] =
-                choose_bits(clipped != 0u, BOUNDS_UNKNOWN, choose_bits(empty != 0u, BOUNDS_EMPTY, box.columns));
-            rows[k] = choose_bits((clipped | empty) != 0u, BOUNDS_EMPTY, box.rows);
             const uint small = choose_bits(right - left <= SMALL_EXTENT, TRIANGLE_SMALL, 0u) &
                                choose_bits(bottom - top <= SMALL_EXTENT, TRIANGLE_SMALL, 0u) &
                                choose_bits(clipped != 0u, 0u, TRIANGLE_SMALL);
+            const uint in_box = choose_bits(empty != 0u, BOUNDS_EMPTY, box.columns);
+            const uint polygon = clipped | (choose_bits(in_box == BOUNDS_EMPTY, 0u, TRIANGLE_SMALL) & ~small);
+            columns[k] = choose_bits(polygon != 0u, BOUNDS_UNKNOWN, in_box);
+            rows[k] = choose_bits((polygon | empty) != 0u, BOUNDS_EMPTY, box.rows);
             run[k] = to_uint(t.x0);
             run[RUN + k] = to_uint(t.y0);
             run[2u * RUN + k] = (to_uint(t.dx1) & 0xffffu) | (to_uint(t.dy1) << 16u);
@@ -65,7 +66,7 @@ KERNEL4(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, ui
             run[4u * RUN + k] = float_bits(t.z0);
             run[5u * RUN + k] = float_bits(t.slope_x);
             run[6u * RUN + k] = float_bits(t.slope_y);
-            run[7u * RUN + k] = t.flags | small;
+            run[7u * RUN + k] = (t.flags | small) | choose_bits(clipped != 0u, TRIANGLE_CLIPPED, 0u);
             // Edge functions from which is taken what they must at least be: their sign bits tell of samples outside.
             const uint width = (columns[k] >> 16u) - (columns[k] & 0xffffu);
             const uint height = (rows[k] >> 16u) - (rows[k] & 0xffffu);

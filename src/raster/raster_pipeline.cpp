@@ -177,7 +177,7 @@ std::uint64_t RasterPipeline::count(const kernels::DrawParams& params, const ker
             const std::uint32_t at = parameters_.push(params);
             if (!is_transformed_) transform_.record(pass, at, items_of(params.vertex_count));
             setup_.record(pass, at, items_of(params.triangle_count));
-            clip_.record(pass, at, params.triangle_count);
+            clip_.record(pass, at, items_of(params.triangle_count));
         }
         const std::uint32_t at = parameters_.push(bin);
         count_.record(pass, at, std::uint64_t{bin.blocks} << bin.spread_log2);
@@ -250,10 +250,13 @@ void RasterPipeline::draw_window(std::size_t number, kernels::DrawParams params,
                 raster.record(pass, parameters_.push(params), items);
                 params.first_entry += launch_.entries;
                 if (params.first_entry >= longest && !in_order) {
-                    params.entry_count = launch_.elements;
+                    kernels::DrawParams shade = params;
+                    shade.entry_count = launch_.shaded;
+                    shade.spread_log2 = launch_.shade_spread;
                     shade_stage(number, shade_kernel(params), texture)
-                        .record(pass, parameters_.push(params),
-                                items_of(std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS));
+                        .record(pass, parameters_.push(shade),
+                                (std::uint64_t{params.tile_count} * RASTER_TILE_PIXELS / launch_.shaded)
+                                    << launch_.shade_spread);
                 }
             });
         } while (params.first_entry < longest);
