@@ -8,11 +8,16 @@
 namespace tessera::raster {
 namespace {
 
-// Triangles that are set up, sorted and drawn at a time, and where `triangles` has what belongs to them, in words.
-constexpr std::uint64_t most_triangles = std::uint64_t{1} << 17;
-constexpr std::uint64_t records_at = most_triangles * BOUNDS_WORDS;
-constexpr std::uint64_t polygons_at = records_at + most_triangles * TRIANGLE_WORDS;
-constexpr std::uint64_t triangle_words = polygons_at + most_triangles * POLYGON_WORDS;
+/// Where `triangles` has the records and the polygons of a batch of this many triangles, and its end, in words.
+constexpr std::uint64_t records_at(std::uint64_t triangles) {
+    return triangles * BOUNDS_WORDS;
+}
+constexpr std::uint64_t polygons_at(std::uint64_t triangles) {
+    return records_at(triangles) + triangles * TRIANGLE_WORDS;
+}
+constexpr std::uint64_t triangle_words(std::uint64_t triangles) {
+    return polygons_at(triangles) + triangles * POLYGON_WORDS;
+}
 constexpr std::uint64_t screen_vertex_bytes = SCREEN_VERTEX_WORDS * 4;
 constexpr std::uint64_t whole_run = 16;  // the longest run of vertices that a kernel stores at once
 constexpr std::uint32_t depth_one = 0x3f800000u;
@@ -39,7 +44,7 @@ RasterPipeline::RasterPipeline(const gpu::Device& device)
       launch_(choose_launch(device.info())),
       parameters_(device_, 8),
       no_attributes_(storage("attributes of vertices without", sizeof(VertexAttributes))),
-      triangles_(storage("bounds, records and polygons of triangles", triangle_words * 4)) {
+      triangles_(storage("bounds, records and polygons of triangles", triangle_words(launch_.triangles) * 4)) {
     const VertexAttributes no_attributes{};
     device_.queue().write_buffer(no_attributes_, 0, std::as_bytes(std::span(&no_attributes, 1)));
 }
@@ -91,7 +96,7 @@ void RasterPipeline::begin(std::vector<RasterWindow>& windows, std::uint32_t sam
 void RasterPipeline::create_tile_buffers(std::uint32_t tiles) {
     if (tiles > tile_capacity_) {
         tile_capacity_ = tiles;
-        const std::uint64_t blocks = (most_triangles + launch_.block - 1) / launch_.block;
+        const std::uint64_t blocks = (std::uint64_t{launch_.triangles} + launch_.block - 1) / launch_.block;
         counts_ = storage("triangles per block and tile", blocks * tiles * 4);
         totals_ = storage("triangles per tile", std::uint64_t{tiles} * 4);
         count_ = Stage(device_, "raster_count", {triangles_, counts_}, parameters_);
@@ -156,13 +161,14 @@ void RasterPipeline::draw(const render::DeviceDraw& draw, kernels::DrawParams pa
     params.first_vertex = static_cast<std::uint32_t>(draw.first_vertex);
     params.index_base = draw.index_base;
     params.attribute_stride = draw.attributes ? ATTRIBUTE_FLOATS : 0;
-    params.records_at = static_cast<std::uint32_t>(records_at);
-    params.polygons_at = static_cast<std::uint32_t>(polygons_at);
+    params.records_at = static_cast<std::uint32_t>(records_at(launch_.triangles));
+    params.polygons_at = static_cast<std::uint32_t>(polygons_at(launch_.triangles));
     params.entry_count = launch_.elements;
     is_transformed_ = false;
-    for (std::uint64_t first = 0; first < draw.index_count; first += 3 * most_triangles) {
+    const std::uint64_t most_indices = std::uint64_t{3} * launch_.triangles;
+    for (std::uint64_t first = 0; first < draw.index_count; first += most_indices) {
         params.index_at = static_cast<std::uint32_t>(draw.first_index + first);
-        params.triangle_count = static_cast<std::uint32_t>(std::min(draw.index_count - first, 3 * most_triangles) / 3);
+        params.triangle_count = static_cast<std::uint32_t>(std::min(draw.index_count - first, most_indices) / 3);
         is_set_up_ = false;
         for (std::size_t window = 0; window < windows_->size(); ++window) {
             draw_window(window, params, texture);

@@ -13,7 +13,7 @@
 
 namespace tessera::raster {
 
-/// Memory beside that of the windows: about 85 MiB; `visible`, a word per sample of the largest window; and 16 bytes
+/// Memory beside that of the windows: about 140 MiB; `visible`, a word per sample of the largest window; and 16 bytes
 /// per vertex of the largest draw.
 class RasterPipeline {
 public:
