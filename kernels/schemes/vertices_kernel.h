@@ -12,6 +12,10 @@ KERNELS_BEGIN
 KERNEL8(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, pattern), READ(2, uint, offsets),
         READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), READ(5, uint, pattern_indices),
         WRITE(6, uint, index_buffer), UNIFORM(7, EmitParams, params)) {
+#elif RING_TABLE
+KERNEL7(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
+        READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), READ(5, uint, ring_table),
+        UNIFORM(6, EmitParams, params)) {
 #else
 KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
         READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), UNIFORM(5, EmitParams, params)) {
@@ -46,7 +50,7 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
             vs[k] = pattern[RUN_AT(pattern_at + p.pattern, k)];
         }
 #else
-        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
+        RUN_POINTS(t, ring_table, at < shift ? 0u : first, first, us, vs)
 #endif
         float run[RUN * VERTEX_FLOATS];
         FOR_RUN(k) {
