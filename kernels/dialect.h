@@ -38,6 +38,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define to_uint(x) uint(x)
 #define to_int(x) int(x)
 #define RUN 1u
+#define PATTERN_HAS_WEIGHTS 0  // for kernels that work in runs of several elements
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
 #define RUN_AT(first, k) ((first) + (k))  // an index that does not wrap around within a run
 // The statement for bit = 16, 8, 4, 2 and 1. Written out where runs are vectorised, for a loop in them prevents that;
@@ -105,8 +106,9 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define to_uint(x) ((uint)(x))
 #define to_int(x) ((int)(x))
 #define RUN TESSERA_RUN  // kernels/streaming.h
+#define PATTERN_HAS_WEIGHTS 1
 #define FOR_RUN(k) TESSERA_FOR_RUN for (uint k = 0u; k < RUN; ++k)
-#define RUN_AT(first, k) ((int)(first) + (int)(k))  // signed, so that the compiler sees neighbours
+#define RUN_AT(first, k) ((ulong)(first) + (ulong)(k))  // wide, so that the compiler sees neighbours
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 
 #define READ(slot, type, name) __global const type* restrict name
@@ -135,6 +137,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #else  // C++: a kernel is a function whose parameter types carry slot and access, so that the host can read them.
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #if defined(__SSE2__)
@@ -152,7 +155,7 @@ template <unsigned Slot, typename T>
 struct Read {
     const T* data;
     const T& operator[](uint i) const { return data[i]; }
-    const T& operator[](int i) const { return data[i]; }
+    const T& operator[](std::size_t i) const { return data[i]; }
 };
 template <unsigned Slot, typename T>
 struct Write {
@@ -175,8 +178,9 @@ KERNELS_END
 #define to_uint(x) static_cast<uint>(x)
 #define to_int(x) static_cast<int>(x)
 #define RUN 16u
+#define PATTERN_HAS_WEIGHTS 1
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
-#define RUN_AT(first, k) (static_cast<int>(first) + static_cast<int>(k))  // signed, as in OpenCL
+#define RUN_AT(first, k) (std::size_t{first} + (k))  // wide, as in OpenCL
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 
 #define READ(slot, type, name) Read<slot, type> name
