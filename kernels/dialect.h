@@ -155,6 +155,7 @@ template <unsigned Slot, typename T>
 struct Read {
     const T* data;
     const T& operator[](uint i) const { return data[i]; }
+    const T& operator[](int i) const { return data[i]; }
     const T& operator[](std::size_t i) const { return data[i]; }
 };
 template <unsigned Slot, typename T>

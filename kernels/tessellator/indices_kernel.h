@@ -47,10 +47,20 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
             } else
 #endif
                 if (rings) {
+#if RING_TABLE
+                FOR_RUN(k) {
+                    const OuterPlace at_row = triangle_outer_place(t, first + k);
+                    const uint step = ring_step(t, at_row);
+                    const Triangle corners =
+                        triangle_outer_stepped(t, at_row, ring_step_of(ring_table[to_int(ring_step_word(step))], step));
+                    PUT_TRIANGLE(run, k, base, flip, corners);
+                }
+#else
                 FOR_RUN(k) {
                     const Triangle corners = OUTER_TRIANGLE(t, first + k);
                     PUT_TRIANGLE(run, k, base, flip, corners);
                 }
+#endif
             } else {
                 FOR_RUN(k) {
                     const Triangle corners = PLAIN_TRIANGLE(t, first + k);

@@ -21,7 +21,10 @@ KERNELS_BEGIN
 #define RING_POINTS_AT_65 (RING_POINTS_AT_64 + RING_POINTS_64 + RING_TABLE_MARGIN)
 #define RING_TRIANGLES_AT_64 (RING_POINTS_AT_65 + RING_POINTS_65 + RING_TABLE_MARGIN)
 #define RING_TRIANGLES_AT_65 (RING_TRIANGLES_AT_64 + 3u * RING_TRIANGLES_64 + RING_TABLE_MARGIN)
-#define RING_TABLE_WORDS (RING_TRIANGLES_AT_65 + 3u * RING_TRIANGLES_65 + RING_TABLE_MARGIN)
+#define RING_STEPS_AT (RING_TRIANGLES_AT_65 + 3u * RING_TRIANGLES_65 + RING_TABLE_MARGIN)
+// Last the steps (row.h) of every pair of halves, outer ones of 0 to 32 and inner ones of 1 to 32, four in a word.
+#define RING_STEPS 33264u
+#define RING_TABLE_WORDS (RING_STEPS_AT + RING_STEPS / 4u + RING_TABLE_MARGIN)
 
 // A point's word: its ring; in bits 8 to 15 its place on the ring's side, counted on the whole edge from the nearer
 // end; whether that is the far one; and its side in the highest bits.
@@ -50,6 +53,27 @@ FUNCTION RingPlace ring_place(TrianglePatch p) {
     place.triangles = (odd ? RING_TRIANGLES_AT_65 : RING_TRIANGLES_AT_64) + 3u * triangles_before;
     place.base = p.outer_points - points_before;
     return place;
+}
+
+/// Where the steps of a pair of halves begin: after those of smaller outer halves, and of smaller inner ones beside it.
+FUNCTION uint ring_steps_before(uint outer_half, uint inner_half) {
+    const uint smaller = inner_half - 1u;
+    return 496u * outer_half + 16u * outer_half * (outer_half - 1u) + smaller * outer_half +
+           ((smaller * (smaller - 1u)) >> 1u);
+}
+
+/// The number of the step that makes a triangle of row 1; within the table for what is no triangle too.
+FUNCTION uint ring_step(TrianglePatch p, OuterPlace place) {
+    const uint at = transition_at(place.row, place.s);
+    return ring_steps_before(place.row.outer_half, p.inside.half_points - p.inside.odd) + (at < 64u ? at : 0u);
+}
+
+/// Its word, and the step from this word.
+FUNCTION uint ring_step_word(uint number) {
+    return RING_STEPS_AT + (number >> 2u);
+}
+FUNCTION uint ring_step_of(uint word, uint number) {
+    return (word >> (8u * (number & 3u))) & 0xffu;
 }
 
 /// An inner point from its word, the shift subtracted.

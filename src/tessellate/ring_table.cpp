@@ -41,6 +41,17 @@ void put_triangles(std::uint32_t* words, const kernels::TrianglePatch& p, bool f
     }
 }
 
+void put_steps(std::uint32_t* words) {
+    for (std::uint32_t outer = 0; outer <= 32; ++outer) {
+        for (std::uint32_t inner = 1; inner <= 32; ++inner) {
+            for (std::uint32_t t = 0; t < outer + inner - 1; ++t) {
+                const std::uint32_t at = kernels::ring_steps_before(outer, inner) + t;
+                words[at / 4] |= kernels::transition_step(t, outer, inner) << 8 * (at % 4);
+            }
+        }
+    }
+}
+
 std::vector<std::uint32_t> make_words(bool flip) {
     std::vector<std::uint32_t> words(RING_TABLE_WORDS);
     for (const auto& [points, points_at, triangles_at] :
@@ -49,6 +60,7 @@ std::vector<std::uint32_t> make_words(bool flip) {
         put_points(words.data() + points_at, patch);
         put_triangles(words.data() + triangles_at, patch, flip);
     }
+    put_steps(words.data() + RING_STEPS_AT);
     return words;
 }
 
