@@ -34,6 +34,7 @@ void for_many_patches(Body&& body) {
 TEST(RingTable, HasThePointsOfEveryPattern) {
     const std::span<const std::uint32_t> table = ring_table(false);
     for_many_patches([&](const kernels::TrianglePatch& p) {
+        if (!kernels::triangle_has_rings(p)) return;
         const kernels::RingPlace place = kernels::ring_place(p);
         const std::uint32_t count = kernels::triangle_point_count(p);
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -52,6 +53,7 @@ TEST(RingTable, HasTheTrianglesOfEveryPattern) {
     const std::span<const std::uint32_t> table = ring_table(false);
     const std::span<const std::uint32_t> flipped = ring_table(true);
     for_many_patches([&](const kernels::TrianglePatch& p) {
+        if (!kernels::triangle_has_rings(p)) return;
         const kernels::RingPlace place = kernels::ring_place(p);
         const std::uint32_t first = kernels::triangle_outer_count(p);
         const std::uint32_t count = kernels::triangle_triangle_count(p);
@@ -64,6 +66,23 @@ TEST(RingTable, HasTheTrianglesOfEveryPattern) {
             ASSERT_EQ(table[at + 2] + place.base, expected.c) << t;
             ASSERT_EQ(flipped[at + 1] + place.base, expected.c) << t;
             ASSERT_EQ(flipped[at + 2] + place.base, expected.b) << t;
+        }
+    });
+}
+
+TEST(RingTable, HasTheStepsOfEveryOutermostRow) {
+    const std::span<const std::uint32_t> table = ring_table(false);
+    for_many_patches([&](const kernels::TrianglePatch& p) {
+        if (!kernels::triangle_has_rings(p)) return;
+        for (std::uint32_t t = 0; t < kernels::triangle_outer_count(p); ++t) {
+            const kernels::Triangle expected = kernels::triangle_outer_triangle(p, t);
+            const kernels::OuterPlace place = kernels::triangle_outer_place(p, t);
+            const std::uint32_t step = kernels::ring_step(p, place);
+            const kernels::Triangle found = kernels::triangle_outer_stepped(
+                p, place, kernels::ring_step_of(table[kernels::ring_step_word(step)], step));
+            ASSERT_EQ(found.a, expected.a) << t;
+            ASSERT_EQ(found.b, expected.b) << t;
+            ASSERT_EQ(found.c, expected.c) << t;
         }
     });
 }
