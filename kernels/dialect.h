@@ -38,6 +38,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 #define to_uint(x) uint(x)
 #define to_int(x) int(x)
 #define RUN 1u
+#define PATTERN_HAS_WEIGHTS 0  // for kernels that work in runs of several elements
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
 #define FOR_RUNS(k, count) for (uint k = 0u; k < (count); ++k)  // runs side by side: a long run that waits for itself
 #define RUN_AT(first, k) ((first) + (k))                        // an index that does not wrap around within a run
@@ -106,9 +107,10 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #define to_uint(x) ((uint)(x))
 #define to_int(x) ((int)(x))
 #define RUN TESSERA_RUN  // kernels/streaming.h
+#define PATTERN_HAS_WEIGHTS 1
 #define FOR_RUN(k) TESSERA_FOR_RUN for (uint k = 0u; k < RUN; ++k)
 #define FOR_RUNS(k, count) TESSERA_FOR_RUNS for (uint k = 0u; k < (count); ++k)
-#define RUN_AT(first, k) ((int)(first) + (int)(k))  // signed, so that the compiler sees neighbours
+#define RUN_AT(first, k) ((ulong)(first) + (ulong)(k))  // wide, so that the compiler sees neighbours
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 
 #define READ(slot, type, name) __global const type* restrict name
@@ -137,6 +139,7 @@ _Pragma("OPENCL FP_CONTRACT OFF")
 #else  // C++: a kernel is a function whose parameter types carry slot and access, so that the host can read them.
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #if defined(__SSE2__)
@@ -155,6 +158,7 @@ struct Read {
     const T* data;
     const T& operator[](uint i) const { return data[i]; }
     const T& operator[](int i) const { return data[i]; }
+    const T& operator[](std::size_t i) const { return data[i]; }
 };
 template <unsigned Slot, typename T>
 struct Write {
@@ -177,9 +181,10 @@ KERNELS_END
 #define to_uint(x) static_cast<uint>(x)
 #define to_int(x) static_cast<int>(x)
 #define RUN 16u
+#define PATTERN_HAS_WEIGHTS 1
 #define FOR_RUN(k) for (uint k = 0u; k < RUN; ++k)
 #define FOR_RUNS(k, count) for (uint k = 0u; k < (count); ++k)
-#define RUN_AT(first, k) (static_cast<int>(first) + static_cast<int>(k))  // signed, as in OpenCL
+#define RUN_AT(first, k) (std::size_t{first} + (k))  // wide, as in OpenCL
 #define FOR_BITS FOR_BITS_WRITTEN_OUT
 
 // Kernels made of one pattern share a signature, and some have no use for all of it.

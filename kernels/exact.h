@@ -41,16 +41,15 @@ FUNCTION float exact_reciprocal(float x) {
 /// 1/sqrt(x) within 1.22 ULP for normal, finite x > 0: at most one float away from the correctly rounded result. Any
 /// other x gives some number or other.
 FUNCTION float exact_rsqrt_of_normal(float x) {
+    // x = m * 4^k with m in [1, 4); `power` is k + 64 in the exponent's place, twice.
     const uint bits = float_bits(x);
-    const uint exponent = (bits >> 23u) & 0xffu;
-    const uint mantissa = bits & 0x007fffffu;
-    // x = m * 4^k with m in [1, 4) and k = (exponent + 1) / 2 - 64.
-    const float m = bits_float(mantissa | ((exponent & 1u) == 0u ? 0x40000000u : 0x3f800000u));
+    const uint power = (bits + 0x00800000u) & 0xff000000u;
+    const float m = bits_float(bits - power + 0x40000000u);
     float y = bits_float(0x5f375a86u - (float_bits(m) >> 1u));  // 3.5 % off
     y = y * (1.5f - (0.5f * m) * (y * y));
     y = y * (1.5f - (0.5f * m) * (y * y));
     y = y + (0.5f * y) * (1.0f - (m * y) * y);
-    return bits_float(float_bits(y) + ((64u - ((exponent + 1u) >> 1u)) << 23u));
+    return bits_float(float_bits(y) - (power >> 1u) + 0x20000000u);
 }
 
 /// 1/sqrt(x) likewise. 0 and denormals give +infinity, infinity gives 0, NaN and negative numbers give NaN.

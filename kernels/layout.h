@@ -74,6 +74,14 @@
 // A pattern that patches share: words before its first u and its first v, so that whole runs may begin and end outside
 // it.
 #define PATTERN_MARGIN 16u
+// After them, on a multiple of PATTERN_RUN words, the weights of triangle patterns (schemes/pattern_weights.h) for
+// kernels that work in runs of so many points: for patches whose first run begins with the first point, then for those
+// whose first run has a point of another patch before it; run after run, weight after weight.
+#define PATTERN_RUN 16u
+#define PATTERN_WEIGHTS 19u
+#define PATTERN_RUNS(points) (((points) + PATTERN_RUN) / PATTERN_RUN)
+#define PATTERN_WEIGHTS_AT(stride) ((2u * (stride) + PATTERN_MARGIN + PATTERN_RUN - 1u) / PATTERN_RUN * PATTERN_RUN)
+
 // Hair. A guide point: position x y z, width, normal x y z (zero: none), and one unused.
 #define GUIDE_POINT_FLOATS 8u
 // A guide segment leads from a guide point to the next: the number of that point, and flags.

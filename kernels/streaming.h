@@ -15,8 +15,16 @@
 typedef float16 tessera_float16;
 typedef float8 tessera_float8;
 typedef uint16 tessera_uint16;
+#ifdef __clang__
+// A vload16 of a run that never was in memory is taken apart and put together again: six instructions for nothing.
+typedef float16 tessera_unaligned_float16 __attribute__((aligned(4)));
+typedef uint16 tessera_unaligned_uint16 __attribute__((aligned(4)));
+#define TESSERA_LOAD16(words) (*(const tessera_unaligned_float16*)(words))
+#define TESSERA_LOAD_WORDS(words) (*(const tessera_unaligned_uint16*)(words))
+#else
 #define TESSERA_LOAD16(words) vload16(0, words)
 #define TESSERA_LOAD_WORDS(words) vload16(0, words)
+#endif
 #define TESSERA_LOAD8(words) vload8(0, words)
 #define TESSERA_PREFETCH(pointer)
 #ifdef __has_builtin
@@ -116,16 +124,17 @@ TESSERA_INLINE void end_streaming() {
 
 #else
 
-/// Words 0, 1, 4, 5... or 2, 3, 6, 7... of two rows of 16, in turns; then the same of pairs of words.
+// A transposition in three steps, each of which joins twice as many words of a vertex. First words 0, 1, 4, 5... or 2,
+// 3, 6, 7... of two rows of 16 in turns: vertices 0, 1, 4, 5... or 2, 3, 6, 7....
 #define TESSERA_LOW(a, b) __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29)
 #define TESSERA_HIGH(a, b) __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)
-#define TESSERA_LOW2(a, b) __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29)
-#define TESSERA_HIGH2(a, b) __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
-/// Quarters of two rows: the first or last two of each; the even or odd ones of each.
-#define TESSERA_FIRST(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23)
-#define TESSERA_LAST(a, b) __builtin_shufflevector(a, b, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31)
-#define TESSERA_EVEN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27)
-#define TESSERA_ODD(a, b) __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)
+/// Then pairs of words: of the first four vertices that two such rows have, or of the last four.
+#define TESSERA_FIRST(a, b) __builtin_shufflevector(a, b, 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23)
+#define TESSERA_LAST(a, b) __builtin_shufflevector(a, b, 8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31)
+/// Then fours of words: two whole vertices.
+#define TESSERA_PAIR(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23)
+#define TESSERA_NEXT_PAIR(a, b) \
+    __builtin_shufflevector(a, b, 8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31)
 
 /// Two vertices, of which those below `count` are written. Half a cache line waits in the processor's buffer for the
 /// other half, which the same thread writes next, where it goes on with the neighbouring patch.
@@ -150,40 +159,39 @@ TESSERA_INLINE void tessera_stream_vertices(TESSERA_GLOBAL float* buffer, uint s
     const tessera_float16 r2 = TESSERA_LOAD16(run + 32), r3 = TESSERA_LOAD16(run + 48);
     const tessera_float16 r4 = TESSERA_LOAD16(run + 64), r5 = TESSERA_LOAD16(run + 80);
     const tessera_float16 r6 = TESSERA_LOAD16(run + 96), r7 = TESSERA_LOAD16(run + 112);
-    // Per quarter of four vertices: words 0 to 3 of vertex j in a_j, 4 to 7 in b_j.
     const tessera_float16 l01 = TESSERA_LOW(r0, r1), h01 = TESSERA_HIGH(r0, r1);
     const tessera_float16 l23 = TESSERA_LOW(r2, r3), h23 = TESSERA_HIGH(r2, r3);
     const tessera_float16 l45 = TESSERA_LOW(r4, r5), h45 = TESSERA_HIGH(r4, r5);
     const tessera_float16 l67 = TESSERA_LOW(r6, r7), h67 = TESSERA_HIGH(r6, r7);
-    const tessera_float16 a0 = TESSERA_LOW2(l01, l23), a1 = TESSERA_HIGH2(l01, l23);
-    const tessera_float16 a2 = TESSERA_LOW2(h01, h23), a3 = TESSERA_HIGH2(h01, h23);
-    const tessera_float16 b0 = TESSERA_LOW2(l45, l67), b1 = TESSERA_HIGH2(l45, l67);
-    const tessera_float16 b2 = TESSERA_LOW2(h45, h67), b3 = TESSERA_HIGH2(h45, h67);
-    const tessera_float16 f0 = TESSERA_FIRST(a0, b0), f1 = TESSERA_FIRST(a1, b1);
-    const tessera_float16 f2 = TESSERA_FIRST(a2, b2), f3 = TESSERA_FIRST(a3, b3);
-    const tessera_float16 s0 = TESSERA_LAST(a0, b0), s1 = TESSERA_LAST(a1, b1);
-    const tessera_float16 s2 = TESSERA_LAST(a2, b2), s3 = TESSERA_LAST(a3, b3);
+    const tessera_float16 a0 = TESSERA_FIRST(l01, l23), b0 = TESSERA_FIRST(l45, l67);  // vertices 0, 1, 4, 5
+    const tessera_float16 a2 = TESSERA_FIRST(h01, h23), b2 = TESSERA_FIRST(h45, h67);  // 2, 3, 6, 7
+    const tessera_float16 a8 = TESSERA_LAST(l01, l23), b8 = TESSERA_LAST(l45, l67);    // 8, 9, 12, 13
+    const tessera_float16 a10 = TESSERA_LAST(h01, h23), b10 = TESSERA_LAST(h45, h67);  // 10, 11, 14, 15
+    const tessera_float16 p0 = TESSERA_PAIR(a0, b0), p4 = TESSERA_NEXT_PAIR(a0, b0);
+    const tessera_float16 p2 = TESSERA_PAIR(a2, b2), p6 = TESSERA_NEXT_PAIR(a2, b2);
+    const tessera_float16 p8 = TESSERA_PAIR(a8, b8), p12 = TESSERA_NEXT_PAIR(a8, b8);
+    const tessera_float16 p10 = TESSERA_PAIR(a10, b10), p14 = TESSERA_NEXT_PAIR(a10, b10);
     const uint i = first;
     if (i < count && count - i >= 16u) {
         TESSERA_GLOBAL float* at = buffer + 8u * (start + i);
-        TESSERA_STREAM(tessera_float16, at, TESSERA_EVEN(f0, f1));
-        TESSERA_STREAM(tessera_float16, at + 16, TESSERA_EVEN(f2, f3));
-        TESSERA_STREAM(tessera_float16, at + 32, TESSERA_ODD(f0, f1));
-        TESSERA_STREAM(tessera_float16, at + 48, TESSERA_ODD(f2, f3));
-        TESSERA_STREAM(tessera_float16, at + 64, TESSERA_EVEN(s0, s1));
-        TESSERA_STREAM(tessera_float16, at + 80, TESSERA_EVEN(s2, s3));
-        TESSERA_STREAM(tessera_float16, at + 96, TESSERA_ODD(s0, s1));
-        TESSERA_STREAM(tessera_float16, at + 112, TESSERA_ODD(s2, s3));
+        TESSERA_STREAM(tessera_float16, at, p0);
+        TESSERA_STREAM(tessera_float16, at + 16, p2);
+        TESSERA_STREAM(tessera_float16, at + 32, p4);
+        TESSERA_STREAM(tessera_float16, at + 48, p6);
+        TESSERA_STREAM(tessera_float16, at + 64, p8);
+        TESSERA_STREAM(tessera_float16, at + 80, p10);
+        TESSERA_STREAM(tessera_float16, at + 96, p12);
+        TESSERA_STREAM(tessera_float16, at + 112, p14);
         return;
     }
-    tessera_stream_pair(buffer, start, i, count, TESSERA_EVEN(f0, f1));
-    tessera_stream_pair(buffer, start, i + 2u, count, TESSERA_EVEN(f2, f3));
-    tessera_stream_pair(buffer, start, i + 4u, count, TESSERA_ODD(f0, f1));
-    tessera_stream_pair(buffer, start, i + 6u, count, TESSERA_ODD(f2, f3));
-    tessera_stream_pair(buffer, start, i + 8u, count, TESSERA_EVEN(s0, s1));
-    tessera_stream_pair(buffer, start, i + 10u, count, TESSERA_EVEN(s2, s3));
-    tessera_stream_pair(buffer, start, i + 12u, count, TESSERA_ODD(s0, s1));
-    tessera_stream_pair(buffer, start, i + 14u, count, TESSERA_ODD(s2, s3));
+    tessera_stream_pair(buffer, start, i, count, p0);
+    tessera_stream_pair(buffer, start, i + 2u, count, p2);
+    tessera_stream_pair(buffer, start, i + 4u, count, p4);
+    tessera_stream_pair(buffer, start, i + 6u, count, p6);
+    tessera_stream_pair(buffer, start, i + 8u, count, p8);
+    tessera_stream_pair(buffer, start, i + 10u, count, p10);
+    tessera_stream_pair(buffer, start, i + 12u, count, p12);
+    tessera_stream_pair(buffer, start, i + 14u, count, p14);
 }
 
 #define TESSERA_STREAM_VERTICES(buffer, start, first, count, run) \

@@ -8,8 +8,14 @@
 
 KERNELS_BEGIN
 
+#if RING_TABLE
+KERNEL7(ATTRIBUTES_KERNEL, READ(0, float, corner_attributes), READ(1, uint, records), READ(2, uint, offsets),
+        READ(3, uint, patch_list), WRITE(4, float, attribute_buffer), READ(5, uint, ring_table),
+        UNIFORM(6, EmitParams, params)) {
+#else
 KERNEL6(ATTRIBUTES_KERNEL, READ(0, float, corner_attributes), READ(1, uint, records), READ(2, uint, offsets),
         READ(3, uint, patch_list), WRITE(4, float, attribute_buffer), UNIFORM(5, EmitParams, params)) {
+#endif
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
@@ -37,7 +43,7 @@ KERNEL6(ATTRIBUTES_KERNEL, READ(0, float, corner_attributes), READ(1, uint, reco
         const uint first = at - shift;
         uint us[RUN];
         uint vs[RUN];
-        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
+        RUN_POINTS(t, ring_table, at < shift ? 0u : first, first, us, vs)
         float run[RUN * ATTRIBUTE_FLOATS];
         FOR_RUN(k) {
 #if ATTRIBUTES_QUAD

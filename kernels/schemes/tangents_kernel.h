@@ -7,9 +7,15 @@
 
 KERNELS_BEGIN
 
+#if RING_TABLE
+KERNEL8(TANGENTS_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
+        READ(3, uint, patch_list), READ(4, float, vertex_buffer), WRITE(5, float, tangent_buffer),
+        READ(6, uint, ring_table), UNIFORM(7, EmitParams, params)) {
+#else
 KERNEL7(TANGENTS_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
         READ(3, uint, patch_list), READ(4, float, vertex_buffer), WRITE(5, float, tangent_buffer),
         UNIFORM(6, EmitParams, params)) {
+#endif
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
@@ -35,7 +41,7 @@ KERNEL7(TANGENTS_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         const uint first = at - shift;
         uint us[RUN];
         uint vs[RUN];
-        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
+        RUN_POINTS(t, ring_table, at < shift ? 0u : first, first, us, vs)
         float xs[RUN];
         float ys[RUN];
         float zs[RUN];

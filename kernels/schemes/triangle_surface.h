@@ -3,7 +3,7 @@
 // SURFACE_POINT and gives VERTICES_DEGREE (1..3) and VERTICES_NORMALS (0 none, 1 linear, 2 quadratic, 3 true). With
 // normals there is the function SURFACE_VERTEX; without, SURFACE_FRAME, for SURFACE_TANGENTS (1 of the surface, 2 of
 // its texture coordinates). No include guard: every variant includes it once.
-#include "schemes/basis.h"
+#include "schemes/pattern_weights.h"
 #include "schemes/surface_vertex.h"
 #include "schemes/tangent_frame.h"
 
@@ -124,7 +124,21 @@ FUNCTION SurfacePoint SURFACE_POINT(SURFACE net, Barycentric b) {
     return p;
 }
 
-#if VERTICES_NORMALS != 0
+#if VERTICES_DEGREE == 3 && VERTICES_NORMALS == 2
+// The scheme that is used most blends with weights that a pattern may bring along.
+#define SURFACE_HAS_WEIGHTS 1
+FUNCTION SurfaceVertex SURFACE_WEIGHTED(SURFACE net, PatternWeights w) {
+    const Vector position =
+        evaluate_cubic(w.c, net.c0, net.c1, net.c2, net.c01, net.c10, net.c12, net.c21, net.c20, net.c02, net.centre);
+    const Vector normal = blended_normal(evaluate_quadratic(w.q, net.n0, net.n1, net.n2, net.n01, net.n12, net.n20));
+    return make_surface_vertex(position, normal, blend_linear(w.b, net.s0, net.s1, net.s2),
+                               blend_linear(w.b, net.t0, net.t1, net.t2));
+}
+
+// Not a function, for g++ does not vectorise what hands a net on.
+#undef SURFACE_VERTEX
+#define SURFACE_VERTEX(net, point) SURFACE_WEIGHTED(net, pattern_weights((point).u, (point).v))
+#elif VERTICES_NORMALS != 0
 FUNCTION SurfaceVertex SURFACE_VERTEX(SURFACE net, DomainPoint point) {
     const Barycentric b = make_barycentric(point.u, point.v);
     const SurfacePoint p = SURFACE_POINT(net, b);

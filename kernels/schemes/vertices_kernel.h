@@ -6,12 +6,28 @@
 #include "emission.h"
 #include "tessellator/run_points.h"
 
+#if VERTICES_SHARED
+/// Runs of a patch's indices, from `word` on, that begin before `until`.
+#define STREAM_INDICES(word, until)                               \
+    for (; word < until; word = word + e.step) {                  \
+        uint indices[RUN];                                        \
+        FOR_RUN(k) {                                              \
+            indices[k] = base + pattern_indices[RUN_AT(word, k)]; \
+        }                                                         \
+        STREAM_WORDS(index_buffer, index_start + word, indices);  \
+    }
+#endif
+
 KERNELS_BEGIN
 
 #if VERTICES_SHARED
 KERNEL8(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, pattern), READ(2, uint, offsets),
         READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), READ(5, uint, pattern_indices),
         WRITE(6, uint, index_buffer), UNIFORM(7, EmitParams, params)) {
+#elif RING_TABLE
+KERNEL7(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
+        READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), READ(5, uint, ring_table),
+        UNIFORM(6, EmitParams, params)) {
 #else
 KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, uint, offsets),
         READ(3, uint, patch_list), WRITE(4, float, vertex_buffer), UNIFORM(5, EmitParams, params)) {
@@ -33,49 +49,70 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
     for (uint next = 0u; next < p.net_stride; next = next + 16u) {
         PREFETCH(nets, (patch_index + 1u) * p.net_stride + next);
     }
-    // Runs begin on whole groups of the buffer: the first one may hold a vertex before the patch, which is not written.
-    const uint shift = start & (STREAM_GROUP - 1u);
-    for (uint at = e.first; at < count + shift; at = at + e.step) {
-        const uint first = at - shift;
-        uint us[RUN];
-        uint vs[RUN];
 #if VERTICES_SHARED
-        const uint pattern_at = PATTERN_MARGIN + first;
-        FOR_RUN(k) {
-            us[k] = pattern[RUN_AT(pattern_at, k)];
-            vs[k] = pattern[RUN_AT(pattern_at + p.pattern, k)];
-        }
-#else
-        RUN_POINTS(t, at < shift ? 0u : first, first, us, vs)
-#endif
-        float run[RUN * VERTEX_FLOATS];
-        FOR_RUN(k) {
-            const SurfaceVertex vertex = SURFACE_VERTEX(net, make_domain_point(us[k], vs[k]));
-            PUT_INTO_RUN(run, k, vertex);
-        }
-        STREAM_VERTICES(vertex_buffer, start, first, count, run);
-    }
-#if VERTICES_SHARED
-    // Stage 6, in the same pass: vertices are bound by instructions and indices by memory, so that one hides the other.
-    // Whole runs that begin on a multiple of RUN words are streamed; the first lane adds what is left at both ends.
+    // Stage 6, in the same pass: vertices are bound by instructions and indices by memory, so that one hides the other
+    // where they take turns. Whole runs that begin on a multiple of RUN words are streamed; the first lane adds what is
+    // left at both ends.
     const uint base = p.vertex_base + start;
     const uint index_start = INDEX_START(p, offsets, patch_index);
     const uint words = INDEX_COUNT(offsets, patch_index);
     const uint unaligned = (0u - index_start) & (RUN - 1u);
     const uint lead = unaligned < words ? unaligned : words;
-    for (uint at = lead + e.first; at + RUN <= words; at = at + e.step) {
-        uint run[RUN];
-        FOR_RUN(k) {
-            run[k] = base + pattern_indices[RUN_AT(at, k)];
+    const uint whole = lead + ((words - lead) & ~(RUN - 1u));
+    // Words up to which runs are streamed, more after each run of vertices; where a run is one element, all at the end.
+    const uint turn = RUN > 1u ? e.step * (words / (count + 1u) + 1u) : 0u;
+    uint until = lead;
+    uint word = lead + e.first;
+#endif
+    // Runs begin on whole groups of the buffer: the first one may hold a vertex before the patch, which is not written.
+    const uint shift = start & (STREAM_GROUP - 1u);
+    for (uint at = e.first; at < count + shift; at = at + e.step) {
+        const uint first = at - shift;
+        float run[RUN * VERTEX_FLOATS];
+#if VERTICES_SHARED && PATTERN_HAS_WEIGHTS && defined(SURFACE_HAS_WEIGHTS)
+        const uint weights_at =
+            PATTERN_WEIGHTS_AT(p.pattern) + (shift * PATTERN_RUNS(count) * PATTERN_RUN + at) * PATTERN_WEIGHTS;
+        if (RUN == PATTERN_RUN) {
+            FOR_RUN(k) {
+                PatternWeights w;
+                LOAD_PATTERN_WEIGHTS(w, pattern, weights_at, k);
+                const SurfaceVertex vertex = SURFACE_WEIGHTED(net, w);
+                PUT_INTO_RUN(run, k, vertex);
+            }
+        } else
+#endif
+        {
+            uint us[RUN];
+            uint vs[RUN];
+#if VERTICES_SHARED
+            const uint pattern_at = PATTERN_MARGIN + first;
+            FOR_RUN(k) {
+                us[k] = pattern[RUN_AT(pattern_at, k)];
+                vs[k] = pattern[RUN_AT(pattern_at + p.pattern, k)];
+            }
+#else
+            RUN_POINTS(t, ring_table, at < shift ? 0u : first, first, us, vs)
+#endif
+            FOR_RUN(k) {
+                const SurfaceVertex vertex = SURFACE_VERTEX(net, make_domain_point(us[k], vs[k]));
+                PUT_INTO_RUN(run, k, vertex);
+            }
         }
-        STREAM_WORDS(index_buffer, index_start + at, run);
+        STREAM_VERTICES(vertex_buffer, start, first, count, run);
+#if VERTICES_SHARED
+        until = until + turn < whole ? until + turn : whole;
+        STREAM_INDICES(word, until);
+#endif
     }
-    const uint tail = e.first == 0u ? words - ((words - lead) & (RUN - 1u)) : words;
-    for (uint at = e.first == 0u ? 0u : lead; at < lead; ++at) {
-        index_buffer[index_start + at] = base + pattern_indices[at];
-    }
-    for (uint at = tail; at < words; ++at) {
-        index_buffer[index_start + at] = base + pattern_indices[at];
+#if VERTICES_SHARED
+    STREAM_INDICES(word, whole);
+    if (e.first == 0u) {
+        for (uint at = 0u; at < lead; ++at) {
+            index_buffer[index_start + at] = base + pattern_indices[at];
+        }
+        for (uint at = whole; at < words; ++at) {
+            index_buffer[index_start + at] = base + pattern_indices[at];
+        }
     }
 #endif
     STREAM_END;
@@ -85,5 +122,6 @@ KERNELS_END
 
 #undef VERTICES_KERNEL
 #undef VERTICES_SHARED
+#undef STREAM_INDICES
 #include "schemes/end_surface.h"
 #include "tessellator/end_domain.h"

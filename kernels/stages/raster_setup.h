@@ -37,7 +37,7 @@ KERNEL4(raster_setup, READ(0, uint, screen), READ(1, uint, indices), WRITE(2, ui
         uint few[RUN * FEW_WORDS];
         uint most_rows = 0u;
         FOR_RUN(k) {
-            const int i = to_int(p.index_at) + smaller(to_int(RUN_AT(first_of_run, k)), to_int(end) - 1) * 3;
+            const int i = to_int(p.index_at) + smaller(to_int(first_of_run) + to_int(k), to_int(end) - 1) * 3;
             LOAD_SCREEN_POINT(a, indices[i]);
             LOAD_SCREEN_POINT(b, indices[i + 1]);
             LOAD_SCREEN_POINT(c, indices[i + 2]);

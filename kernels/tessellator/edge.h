@@ -13,10 +13,10 @@ STRUCT(Edge) {
     uint half_points;  // points up to the middle, rounded up
     uint points;       // points on the edge, both ends included
     uint split;        // the point that the higher pattern has and the lower one lacks
-    // What a step of the lower and of the higher pattern is worth in the blend of both: 65536 / segments, rounded,
-    // times the share of the pattern in 65536ths. Products of positions wrap where those of the specification do.
+    // What a step of the lower pattern, and of both, is worth in the blend of both: 65536 / segments, rounded, times
+    // the share of the pattern in 65536ths. Products of positions wrap where those of the specification do.
     uint lower_step;
-    uint higher_step;
+    uint both_steps;
 };
 
 /// Index of the highest set bit; 0 for 0. Values up to 6 bits.
@@ -47,17 +47,21 @@ FUNCTION Edge make_edge(uint factor, uint odd) {
     const uint from_even = 2u * drop_highest_bit(floor_half) + 1u;
     edge.split = floor_half == ceil_half ? ceil_half + 1u : (odd != 0u ? from_odd : from_even);
     edge.lower_step = rounded_inverse(2u * floor_half - odd) * (65536u - fraction);
-    edge.higher_step = rounded_inverse(2u * ceil_half - odd) * fraction;
+    edge.both_steps = edge.lower_step + rounded_inverse(2u * ceil_half - odd) * fraction;
     return edge;
+}
+
+/// Coordinate of point q in [0, half_points] of an edge. Past the split the lower pattern is one step behind.
+FUNCTION uint edge_place(Edge edge, uint q) {
+    const uint rounding = q > edge.split ? 0x8000u - edge.lower_step : 0x8000u;
+    const uint blended = (q * edge.both_steps + rounding) >> 16u;
+    return q == edge.half_points ? 0x8000u : blended;
 }
 
 /// Coordinate of point p in [0, points) of an edge. The second half mirrors the first exactly.
 FUNCTION uint edge_coordinate(Edge edge, uint p) {
     const bool mirrored = p >= edge.half_points;
-    const uint q = mirrored ? 2u * edge.half_points - p - edge.odd : p;
-    const uint f = q - (q > edge.split ? 1u : 0u);
-    const uint blended = (f * edge.lower_step + q * edge.higher_step + 0x8000u) >> 16u;
-    const uint place = q == edge.half_points ? 0x8000u : blended;
+    const uint place = edge_place(edge, mirrored ? 2u * edge.half_points - p - edge.odd : p);
     return mirrored ? 65536u - place : place;
 }
 
@@ -76,7 +80,7 @@ FUNCTION Edge choose_edge(bool second, Edge a, Edge b) {
     edge.points = second ? b.points : a.points;
     edge.split = second ? b.split : a.split;
     edge.lower_step = second ? b.lower_step : a.lower_step;
-    edge.higher_step = second ? b.higher_step : a.higher_step;
+    edge.both_steps = second ? b.both_steps : a.both_steps;
     return edge;
 }
 

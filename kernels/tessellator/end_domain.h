@@ -2,6 +2,8 @@
 #undef PATCH_TYPE
 #undef LOAD_PATCH
 #undef PATCH_HAS_RINGS
+#undef RING_TABLE
+#undef RING_RUN_POINTS
 #undef RING_POINT
 #undef POINT_WINDOW
 #undef PLAIN_POINT

@@ -3,8 +3,13 @@
 // guard: every variant includes it once.
 KERNELS_BEGIN
 
+#if RING_TABLE
+KERNEL6(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
+        WRITE(3, uint, index_buffer), READ(4, uint, ring_table), UNIFORM(5, EmitParams, params)) {
+#else
 KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, uint, patch_list),
         WRITE(3, uint, index_buffer), UNIFORM(4, EmitParams, params)) {
+#endif
     const EmitParams p = LOAD_UNIFORM(params);
     const EmissionItem e = make_emission_item(p, ITEM);
     if (e.has_patch == 0u) {
@@ -20,7 +25,9 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
     const bool rings = PATCH_HAS_RINGS(t);
     const uint count = words / 3u;
     const uint outer = rings ? OUTER_COUNT(t) : count;
-    for (uint part = 0u; part < 2u; ++part) {
+    // Row 1, or a patch without rings; then, where no table has them, the other rows.
+    const uint parts = RING_TABLE == 1 ? 1u : 2u;
+    for (uint part = 0u; part < parts; ++part) {
         const uint begin = part == 0u ? 0u : outer;
         const uint end = part == 0u ? outer : count;
         // Runs begin on whole cache lines of the buffer: the first and the last may hold triangles that are not of this
@@ -30,17 +37,30 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
         for (uint at = e.first; at < size; at = at + e.step) {
             const uint first = begin + at - shift;
             uint run[RUN * 3u];
+#if !RING_TABLE
             if (part != 0u) {
                 const RingWindow window = ROW_WINDOW(t, at < shift ? begin : first);
                 FOR_RUN(k) {
                     const Triangle corners = INNER_TRIANGLE(t, window, first + k);
                     PUT_TRIANGLE(run, k, base, flip, corners);
                 }
-            } else if (rings) {
+            } else
+#endif
+                if (rings) {
+#if RING_TABLE
+                FOR_RUN(k) {
+                    const OuterPlace at_row = triangle_outer_place(t, first + k);
+                    const uint step = ring_step(t, at_row);
+                    const Triangle corners =
+                        triangle_outer_stepped(t, at_row, ring_step_of(ring_table[to_int(ring_step_word(step))], step));
+                    PUT_TRIANGLE(run, k, base, flip, corners);
+                }
+#else
                 FOR_RUN(k) {
                     const Triangle corners = OUTER_TRIANGLE(t, first + k);
                     PUT_TRIANGLE(run, k, base, flip, corners);
                 }
+#endif
             } else {
                 FOR_RUN(k) {
                     const Triangle corners = PLAIN_TRIANGLE(t, first + k);
@@ -58,6 +78,30 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
             }
         }
     }
+#if RING_TABLE
+    // The other rows: whole runs that begin on a multiple of RUN words are streamed; the first lane adds what
+    // is left at both ends. The table has the patch's winding.
+    const RingPlace place = ring_place(t);
+    const uint inner_base = base + place.base;
+    const uint begin = 3u * outer;
+    const uint table_at = place.triangles - begin;  // wraps around
+    const uint unaligned = begin + ((0u - (start + begin)) & (RUN - 1u));
+    const uint lead = unaligned < words ? unaligned : words;
+    for (uint at = lead + e.first; at + RUN <= words; at = at + e.step) {
+        uint run[RUN];
+        FOR_RUN(k) {
+            run[k] = inner_base + ring_table[RUN_AT(table_at + at, k)];
+        }
+        STREAM_WORDS(index_buffer, start + at, run);
+    }
+    const uint tail = e.first == 0u ? words - ((words - lead) & (RUN - 1u)) : words;
+    for (uint at = e.first == 0u ? begin : lead; at < lead; ++at) {
+        index_buffer[start + at] = inner_base + ring_table[table_at + at];
+    }
+    for (uint at = tail; at < words; ++at) {
+        index_buffer[start + at] = inner_base + ring_table[table_at + at];
+    }
+#endif
     STREAM_END;
 }
 

@@ -4,6 +4,8 @@
 #define PATCH_TYPE QuadPatch
 #define LOAD_PATCH LOAD_QUAD_PATCH
 #define PATCH_HAS_RINGS quad_has_rings
+#define RING_TABLE 0
+#define RING_RUN_POINTS WINDOW_RUN_POINTS
 #define RING_POINT quad_ring_point
 #define POINT_WINDOW quad_point_window
 #define PLAIN_POINT quad_plain_point

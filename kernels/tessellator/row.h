@@ -54,21 +54,41 @@ FUNCTION Triangle choose_triangle(bool choice, Triangle a, Triangle b) {
     return make_triangle(choice ? a.a : b.a, choice ? a.b : b.b, choice ? a.c : b.c);
 }
 
-/// Triangle s of the row between an outer edge of `outer_segments` (>= 1) and an inside row of `inner_segments` (>= 0),
-/// in all outer_segments + inner_segments triangles. The halves are those of the two factors: half_points - odd.
-FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, uint inner_half, uint inner_odd) {
-    const uint outer_segments = 2u * outer_half + outer_odd;
-    const uint inner_steps = inner_half == 0u ? 0u : inner_half - 1u;
-    const uint inner_segments = 2u * inner_steps + inner_odd;
-    const uint first_half = outer_half + inner_steps;
-    // Between the halves: the odd segments of either edge.
-    const bool in_middle = s >= first_half && s < first_half + outer_odd + inner_odd;
-    const bool middle_inner = inner_odd != 0u && s == first_half;
-    const uint middle_at = ON_INSIDE + inner_steps + (inner_odd != 0u && !middle_inner ? 1u : 0u);
-    const Triangle middle = make_triangle(middle_at, outer_half, middle_inner ? middle_at + 1u : outer_half + 1u);
-    // The second half is the first one read backwards.
-    const bool backwards = s >= first_half;
-    const uint t = backwards ? outer_segments + inner_segments - 1u - s : s;
+/// What the row between two edges is made of. The halves are those of the two factors: half_points - odd.
+STRUCT(Transition) {
+    uint outer_segments;  // >= 1
+    uint inner_segments;  // >= 0
+    uint outer_half;
+    uint outer_odd;
+    uint inner_steps;
+    uint inner_odd;
+};
+
+FUNCTION Transition make_transition(uint outer_half, uint outer_odd, uint inner_half, uint inner_odd) {
+    Transition r;
+    r.outer_half = outer_half;
+    r.outer_odd = outer_odd;
+    r.inner_steps = inner_half == 0u ? 0u : inner_half - 1u;
+    r.inner_odd = inner_odd;
+    r.outer_segments = 2u * outer_half + outer_odd;
+    r.inner_segments = 2u * r.inner_steps + inner_odd;
+    return r;
+}
+
+/// Triangle s of a row is in the second half, which is the first one read backwards, or between the two.
+FUNCTION bool transition_is_backwards(Transition r, uint s) {
+    return s >= r.outer_half + r.inner_steps;
+}
+
+/// The place in its half of triangle s of a row.
+FUNCTION uint transition_at(Transition r, uint s) {
+    return transition_is_backwards(r, s) ? r.outer_segments + r.inner_segments - 1u - s : s;
+}
+
+/// A triangle of the first half: so many segments of the outer edge are before it, and it is one of the inside row.
+#define TRANSITION_INNER 128u
+
+FUNCTION uint transition_step(uint t, uint outer_half, uint inner_half) {
     const uint lead = outer_half > 0u ? 1u : 0u;  // a half that has points begins with one outer triangle
     // m = 0 is the leading outer triangle.
     uint m = 0u;
@@ -78,13 +98,32 @@ FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, u
     const uint outer_before = m == 0u ? 0u : lead + transition_rank(outer_half, steps);
     const bool has_inner = m != 0u && transition_node(m) < inner_half;
     const bool is_inner = has_inner && t == inner_before + outer_before;
-    const uint o = outer_before;
-    const uint i = inner_before + (has_inner && !is_inner ? 1u : 0u);
-    const uint outer_at = backwards ? outer_segments - o - (is_inner ? 0u : 1u) : o;
-    const uint inner_at = ON_INSIDE + (backwards ? inner_segments - i - (is_inner ? 1u : 0u) : i);
+    return outer_before | (is_inner ? TRANSITION_INNER : 0u);
+}
+
+/// Triangle s of a row from the step that is at its place.
+FUNCTION Triangle stepped_triangle(Transition r, uint s, uint step) {
+    const uint first_half = r.outer_half + r.inner_steps;
+    // Between the halves: the odd segments of either edge.
+    const bool in_middle = s >= first_half && s < first_half + r.outer_odd + r.inner_odd;
+    const bool middle_inner = r.inner_odd != 0u && s == first_half;
+    const uint middle_at = ON_INSIDE + r.inner_steps + (r.inner_odd != 0u && !middle_inner ? 1u : 0u);
+    const Triangle middle = make_triangle(middle_at, r.outer_half, middle_inner ? middle_at + 1u : r.outer_half + 1u);
+    const bool backwards = transition_is_backwards(r, s);
+    const bool is_inner = step >= TRANSITION_INNER;
+    const uint o = is_inner ? step - TRANSITION_INNER : step;
+    const uint i = transition_at(r, s) - o;
+    const uint outer_at = backwards ? r.outer_segments - o - (is_inner ? 0u : 1u) : o;
+    const uint inner_at = ON_INSIDE + (backwards ? r.inner_segments - i - (is_inner ? 1u : 0u) : i);
     const Triangle stepped = make_triangle(is_inner ? inner_at : outer_at, is_inner ? outer_at : outer_at + 1u,
                                            is_inner ? inner_at + 1u : inner_at);
     return choose_triangle(in_middle, middle, stepped);
+}
+
+/// Triangle s of the row between an outer edge and an inside row, in all outer_segments + inner_segments triangles.
+FUNCTION Triangle transition_triangle(uint s, uint outer_half, uint outer_odd, uint inner_half, uint inner_odd) {
+    const Transition r = make_transition(outer_half, outer_odd, inner_half, inner_odd);
+    return stepped_triangle(r, s, transition_step(transition_at(r, s), outer_half, inner_half));
 }
 
 /// Triangle s of the regular row between a ring's row of points + 1 segments and the next one of `points` points (both

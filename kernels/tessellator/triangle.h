@@ -171,20 +171,46 @@ FUNCTION uint triangle_outer_count(TrianglePatch p) {
     return p.outer_points + 3u * (p.inside.points - 3u);
 }
 
-/// Triangle t of row 1.
-FUNCTION Triangle triangle_outer_triangle(TrianglePatch p, uint t) {
+/// Where triangle t of row 1 lies.
+STRUCT(OuterPlace) {
+    uint side;
+    uint s;  // its number on the side
+    Edge edge;
+    Transition row;
+    uint outer_offset;  // where the side begins on its rings
+    uint inner_offset;
+};
+
+FUNCTION OuterPlace triangle_outer_place(TrianglePatch p, uint t) {
+    OuterPlace place;
     const uint inner_segments = p.inside.points - 3u;
     const uint start1 = p.edge0.points - 1u;
     const uint start2 = start1 + p.edge1.points - 1u;
     const uint count0 = start1 + inner_segments;
     const uint count01 = start2 + 2u * inner_segments;
     const uint side = t < count0 ? 0u : (t < count01 ? 1u : 2u);
-    const uint s = t - (side == 0u ? 0u : (side == 1u ? count0 : count01));
-    const Edge edge = choose_edge(side == 2u, choose_edge(side == 1u, p.edge0, p.edge1), p.edge2);
-    const Triangle row = transition_triangle(s, edge.half_points - edge.odd, edge.odd,
-                                             p.inside.half_points - p.inside.odd, p.inside.odd);
-    return place_row(row, make_ring(0u, p.outer_points), side == 0u ? 0u : (side == 1u ? start1 : start2),
-                     make_ring(p.outer_points, 3u * inner_segments), side * inner_segments);
+    place.side = side;
+    place.s = t - (side == 0u ? 0u : (side == 1u ? count0 : count01));
+    place.edge = choose_edge(side == 2u, choose_edge(side == 1u, p.edge0, p.edge1), p.edge2);
+    place.row = make_transition(place.edge.half_points - place.edge.odd, place.edge.odd,
+                                p.inside.half_points - p.inside.odd, p.inside.odd);
+    place.outer_offset = side == 0u ? 0u : (side == 1u ? start1 : start2);
+    place.inner_offset = side * inner_segments;
+    return place;
+}
+
+/// The triangle that a step (row.h) makes there.
+FUNCTION Triangle triangle_outer_stepped(TrianglePatch p, OuterPlace place, uint step) {
+    return place_row(stepped_triangle(place.row, place.s, step), make_ring(0u, p.outer_points), place.outer_offset,
+                     make_ring(p.outer_points, 3u * (p.inside.points - 3u)), place.inner_offset);
+}
+
+/// Triangle t of row 1.
+FUNCTION Triangle triangle_outer_triangle(TrianglePatch p, uint t) {
+    const OuterPlace place = triangle_outer_place(p, t);
+    return triangle_outer_stepped(
+        p, place,
+        transition_step(transition_at(place.row, place.s), place.row.outer_half, p.inside.half_points - p.inside.odd));
 }
 
 /// Row j >= 2 of triangles begins so many after the first row.

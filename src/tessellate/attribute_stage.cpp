@@ -35,15 +35,16 @@ void AttributeStage::upload(std::uint64_t first, std::uint32_t count) {
 }
 
 void AttributeStage::reserve(std::uint64_t bytes, const gpu::Buffer& records, const gpu::Buffer& offsets,
-                             const gpu::Buffer& patch_list) {
+                             const gpu::Buffer& patch_list, const gpu::Buffer& ring_table) {
     if (!is_wanted() || (output_ && output_.size() >= bytes)) return;
     if (output_) output_.destroy();
     output_ = device_.create_buffer({"vertex attributes", bytes, storage_usage});
     for (const Domain domain : {Domain::triangle, Domain::quad}) {
         if (domain == Domain::quad && !patches_.has_quads) continue;
+        std::vector<gpu::Buffer> bindings{corners_, records, offsets, patch_list, output_};
+        if (domain == Domain::triangle) bindings.push_back(ring_table);
         stages_[static_cast<std::size_t>(domain)] =
-            Stage(device_, fmt::format("attributes_{}", name(domain)),
-                  {corners_, records, offsets, patch_list, output_}, parameters_);
+            Stage(device_, fmt::format("attributes_{}", name(domain)), bindings, parameters_);
     }
 }
 

@@ -20,7 +20,7 @@ public:
     void upload(std::uint64_t first, std::uint32_t count);
     /// Makes room for outputs of up to `bytes` and binds what the stage reads. Call before record().
     void reserve(std::uint64_t bytes, const gpu::Buffer& records, const gpu::Buffer& offsets,
-                 const gpu::Buffer& patch_list);
+                 const gpu::Buffer& patch_list, const gpu::Buffer& ring_table);
     void record(gpu::ComputePass& pass, Domain domain, std::uint32_t parameter_offset, std::uint64_t items) const;
 
     /// VertexAttributes of each vertex of a batch; empty until there was room to reserve.

@@ -4,6 +4,7 @@
 #include "tessellate/attribute_stage.hpp"
 #include "tessellate/job_input.hpp"
 #include "tessellate/launch_shape.hpp"
+#include "tessellate/ring_table.hpp"
 #include "tessellate/shared_pattern.hpp"
 #include "tessellate/stage_clock.hpp"
 
@@ -60,6 +61,7 @@ struct Job::State {
     StageClock clock;
     AttributeStage attributes;
     gpu::Buffer control_vertices, vertex_tag_buffer, corner_tag_buffer, nets, vertices, indices, tangents;
+    gpu::Buffer rings;  // ring_table.hpp; where a stage makes points of triangle patches
     std::uint32_t tag_stride = 0;
     std::array<DomainStages, 2> domains;  // triangles, quads
     std::size_t current_chunk = 0;
@@ -130,6 +132,8 @@ struct Job::State {
                       bindings, parameters);
             d.pattern = make_shared_pattern(device, d.domain, options, patches.patch_count());
         });
+        if (!domains[0].has_pattern() || has_tangents() || attributes.is_wanted())
+            rings = make_ring_table(device, false);
         device.queue().write_buffer(control_vertices, 0, std::as_bytes(std::span(patches.control_vertices)));
     }
 
@@ -211,7 +215,7 @@ struct Job::State {
         if (more_vertices || more_indices) for_used_domains([&](DomainStages& d) { make_emission(d); });
         if (more_vertices) {
             if (has_tangents()) reserve_tangents(vertex_bytes);
-            attributes.reserve(vertex_bytes, counter.records(), counter.offsets(), patch_list);
+            attributes.reserve(vertex_bytes, counter.records(), counter.offsets(), patch_list, rings);
         }
     }
 
@@ -232,20 +236,29 @@ struct Job::State {
             return;
         }
         d.vertices =
-            Stage(device, kernel, {nets, counter.records(), counter.offsets(), patch_list, vertices}, parameters);
-        d.indices = Stage(device, fmt::format("indices_{}", name(d.domain)),
-                          {counter.records(), counter.offsets(), patch_list, indices}, parameters);
+            Stage(device, kernel,
+                  with_rings(d.domain, {nets, counter.records(), counter.offsets(), patch_list, vertices}), parameters);
+        d.indices =
+            Stage(device, fmt::format("indices_{}", name(d.domain)),
+                  with_rings(d.domain, {counter.records(), counter.offsets(), patch_list, indices}), parameters);
+    }
+
+    // What kernels of a domain bind that work with rings of their own.
+    std::vector<gpu::Buffer> with_rings(Domain domain, std::vector<gpu::Buffer> bindings) const {
+        if (domain == Domain::triangle) bindings.push_back(rings);
+        return bindings;
     }
 
     // Beside new vertices, whose normals the stage reads.
     void reserve_tangents(std::uint64_t bytes) {
         replace(tangents, "tangents", bytes);
         for_used_domains([&](DomainStages& d) {
-            d.tangents =
-                Stage(device,
-                      fmt::format("tangents_{}_{}_{}", degree_names[degree(options.scheme) - 1], name(options.tangents),
-                                  name(d.domain)),
-                      {nets, counter.records(), counter.offsets(), patch_list, vertices, tangents}, parameters);
+            d.tangents = Stage(
+                device,
+                fmt::format("tangents_{}_{}_{}", degree_names[degree(options.scheme) - 1], name(options.tangents),
+                            name(d.domain)),
+                with_rings(d.domain, {nets, counter.records(), counter.offsets(), patch_list, vertices, tangents}),
+                parameters);
         });
     }
 };
@@ -415,7 +428,7 @@ std::uint64_t Job::device_bytes() const {
     const State& s = *state_;
     std::uint64_t bytes = s.parameters.buffer().size() + s.counter.device_bytes() + s.attributes.device_bytes();
     for (const gpu::Buffer* buffer : {&s.control_vertices, &s.vertex_tag_buffer, &s.corner_tag_buffer, &s.patch_corners,
-                                      &s.patch_list, &s.nets, &s.vertices, &s.indices, &s.tangents}) {
+                                      &s.patch_list, &s.nets, &s.vertices, &s.indices, &s.tangents, &s.rings}) {
         bytes += *buffer ? buffer->size() : 0;
     }
     for (const DomainStages& d : s.domains) {

@@ -1,6 +1,7 @@
 #include "tessellate/job_input.hpp"
 
 #include "base/error.hpp"
+#include "tessellate/ring_table.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -31,7 +32,7 @@ std::vector<patches::VertexTags> vertex_tags(const patches::PatchSet& patches, c
 
 std::uint64_t shared_bytes(const patches::PatchSet& patches, const TessellationOptions& options) {
     return patches.control_vertices.size() * sizeof(Vertex) +
-           vertex_tag_count(patches, options) * sizeof(patches::VertexTags);
+           vertex_tag_count(patches, options) * sizeof(patches::VertexTags) + ring_table_bytes();
 }
 
 std::array<patches::CornerTags, PATCH_CORNERS> smooth_corners(const patches::PatchSet& patches, std::uint64_t patch) {

@@ -3,6 +3,7 @@
 #include "layout.h"
 #include "tessellate/launch_shape.hpp"
 #include "tessellate/patch_counter.hpp"
+#include "tessellate/ring_table.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -47,8 +48,9 @@ void append_run(gpu::Device& device, Domain domain, Partitioning partitioning, b
         const gpu::Buffer index_buffer = device.create_buffer({"indices", std::uint64_t{total.index} * 4, usage});
         const Stage points_stage(device, fmt::format("domain_points_{}", name(domain)),
                                  {counter.records(), counter.offsets(), list, point_buffer}, parameters);
-        const Stage indices_stage(device, fmt::format("indices_{}", name(domain)),
-                                  {counter.records(), counter.offsets(), list, index_buffer}, parameters);
+        std::vector<gpu::Buffer> index_bindings{counter.records(), counter.offsets(), list, index_buffer};
+        if (domain == Domain::triangle) index_bindings.push_back(make_ring_table(device, !clockwise));
+        const Stage indices_stage(device, fmt::format("indices_{}", name(domain)), index_bindings, parameters);
         const std::uint32_t lanes = lanes_log2(device.info(), count, total.vertex);
         parameters.reset();
         const std::uint32_t emit_points =

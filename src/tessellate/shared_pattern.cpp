@@ -1,7 +1,10 @@
 #include "tessellate/shared_pattern.hpp"
 
 #include "layout.h"
+#include "schemes/pattern_weights.h"
 #include "tessellate/pattern.hpp"
+
+#include <cstring>
 
 namespace tessera {
 namespace {
@@ -14,6 +17,27 @@ gpu::Buffer upload(gpu::Device& device, const char* label, const std::vector<std
     gpu::Buffer buffer = device.create_buffer({label, words.size() * 4, usage});
     device.queue().write_buffer(buffer, 0, std::as_bytes(std::span(words)));
     return buffer;
+}
+
+/// Adds the weights of a triangle pattern's points, which are already there.
+void append_weights(std::vector<std::uint32_t>& words, const Pattern& pattern, std::uint32_t stride) {
+    static_assert(sizeof(kernels::PatternWeights) == PATTERN_WEIGHTS * 4);
+    const auto count = static_cast<std::uint32_t>(pattern.points.size());
+    const std::uint32_t begin = PATTERN_WEIGHTS_AT(stride);
+    const std::uint32_t size = PATTERN_RUNS(count) * PATTERN_RUN;  // points of either kind of patches
+    words.resize(begin + std::size_t{2} * size * PATTERN_WEIGHTS);
+    for (std::uint32_t shift = 0; shift < 2; ++shift) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const kernels::PatternWeights weights = kernels::pattern_weights(pattern.points[i].u, pattern.points[i].v);
+            std::uint32_t bits[PATTERN_WEIGHTS];
+            std::memcpy(bits, &weights, sizeof bits);
+            const std::uint32_t at = i + shift;
+            std::uint32_t* run =
+                words.data() + begin + std::size_t{shift * size + at / PATTERN_RUN * PATTERN_RUN} * PATTERN_WEIGHTS;
+            for (std::uint32_t w = 0; w < PATTERN_WEIGHTS; ++w)
+                run[w * PATTERN_RUN + at % PATTERN_RUN] = bits[w];
+        }
+    }
 }
 
 }  // namespace
@@ -37,6 +61,8 @@ SharedPattern make_shared_pattern(gpu::Device device, Domain domain, const Tesse
         points[margin + stride + i] = pattern.points[i].v;
     }
     shared.stride = static_cast<std::uint32_t>(stride);
+    if (domain == Domain::triangle && degree(options.scheme) == 3 && options.normals == Normals::quadratic)
+        append_weights(points, pattern, shared.stride);
     shared.size = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(pattern.indices.size())};
     shared.points = upload(device, "shared domain points", points);
     shared.indices = upload(device, "shared indices", pattern.indices);
