@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "raster/portable.hpp"
 #include "raster/portable_rasteriser.hpp"
+#include "render/resident_mesh.hpp"
 #include "support/devices.hpp"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,53 @@ TEST(DeviceDraws, DropTrianglesWithOtherVertices) {
             EXPECT_EQ(DeviceSquare(device, 3, base, 4).drawn(), 136u) << device.info().id;
             EXPECT_EQ(DeviceSquare(device, 3, base, 0u - base - 1u).drawn(), 136u) << device.info().id;
         }
+    }
+}
+
+/// More triangles than any device draws at a time: a grid of squares, each of which covers the middle of a pixel; later
+/// ones are nearer or farther in turns.
+TEST(DeviceDraws, OfManyTrianglesAreCutWithoutTrace) {
+    constexpr std::uint32_t side = 128, layers = 17;  // 557,056 triangles, more than 2^19
+    const render::Frame frame = flat_frame(side, side, 1);
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t layer = 0; layer < layers; ++layer) {
+        const float z = (layer % 2 == 0 ? 1.0f : -1.0f) * 0.05f * static_cast<float>(layer);
+        for (std::uint32_t i = 0; i < side * side; ++i) {
+            const auto x = static_cast<int>(i % side * 256), y = static_cast<int>(i / side * 256);
+            const auto first = static_cast<std::uint32_t>(vertices.size());
+            for (const auto& [dx, dy] : {std::pair{0, 0}, {256, 0}, {256, 256}, {0, 256}}) {
+                vertices.push_back(place_vertex(frame, x + dx, y + dy, z));
+                vertices.back().normal[0] = 0.1f * static_cast<float>(layer);
+            }
+            for (const std::uint32_t corner : {0u, 2u, 1u, 0u, 3u, 2u}) {
+                indices.push_back(first + corner);
+            }
+        }
+    }
+    ASSERT_GT(indices.size() / 3, std::size_t{1} << 19);
+    for (const gpu::DeviceInfo& info : machine().devices) {
+        if (info.backend == "vulkan") continue;  // whose batches are smaller, and tested with smaller meshes
+        const std::string& id = info.id;
+        const gpu::Device device = open_device(id);
+        const auto rasteriser = raster::open_portable(device);
+        const auto picture = [&](std::size_t draws) {
+            rasteriser->begin(frame);
+            rasteriser->set_materials({{}}, {});
+            render::DeviceDraw all = render::upload_mesh(device, vertices, indices);
+            const std::uint64_t share = indices.size() / draws;
+            for (std::size_t i = 0; i < draws; ++i) {
+                all.first_index = i * share;
+                all.index_count = share;
+                rasteriser->draw(all);
+            }
+            return rasteriser->finish();
+        };
+        const image::Image whole = picture(1);
+        EXPECT_EQ(whole.rgba, picture(layers).rgba) << id;
+        const image::Image last = draw_portable(device, frame, {vertices.end() - 4 * side * side, vertices.end()},
+                                                {indices.begin(), indices.begin() + 6 * side * side});
+        EXPECT_EQ(whole.rgba, last.rgba) << id << ": the last layer is the nearest";
     }
 }
 

@@ -21,7 +21,12 @@ INSTANTIATE_TEST_SUITE_P(By, DeviceDraws, testing::ValuesIn(drawers()), drawer_n
 class HostSink final : public MeshSink {
 public:
     explicit HostSink(render::DrawSink& sink) : sink_(sink) {}
-    void append(const MeshBatch& batch) override { sink_.append(batch); }
+    void append(const MeshBatch& batch) override {
+        sink_.append(batch);
+        ++batches;
+    }
+
+    int batches = 0;
 
 private:
     render::DrawSink& sink_;
@@ -59,7 +64,7 @@ struct Model {
         }
         options.factors = PatchFactors{40, 40, 40, 40, 40, 40};
         options.scheme = Scheme::pn;
-        options.memory_budget = std::uint64_t{512} << 10;
+        options.memory_budget = std::uint64_t{700} << 10;
     }
 };
 
@@ -74,6 +79,7 @@ image::Image draw_model(const Model& model, const gpu::Device& device, render::R
     tessellator.run(from_device ? static_cast<MeshSink&>(sink) : host, Space::kernel);
     const std::uint64_t output = tessellator.totals().vertex_count * sizeof(Vertex);
     EXPECT_EQ(device.traffic().read - read < output, from_device);
+    EXPECT_EQ(host.batches > 2, !from_device);
     return rasteriser.finish();
 }
 
