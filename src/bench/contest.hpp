@@ -13,7 +13,7 @@ struct Effort {
     double seconds_each = 8.0;  ///< a contestant that has used these sits out, but not before its third sample
     /// A turn begins with runs that are not timed, for so many seconds: the threads of whoever had the turn before come
     /// to rest, and one's own wake up.
-    double settling = 0.002;
+    double settling = 0.02;
 };
 
 /// Something that is timed. One call of `run` is one sample and returns when the work is done.
