@@ -41,7 +41,9 @@ void add_platform(Findings& findings, cl_platform_id platform) {
     cl_uint count = 0;
     const cl_int code = api.clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &count);
     if (code == CL_DEVICE_NOT_FOUND || (code == CL_SUCCESS && count == 0)) {
-        findings.unusable.push_back({"opencl", "", "An OpenCL platform is installed but it has no device."});
+        findings.unusable.push_back({"opencl", "",
+                                     "An OpenCL platform is installed but it has no device. (PoCL needs a "
+                                     "folder that it may write: POCL_CACHE_DIR names one.)"});
         return;
     }
     check(code, "count the devices of a platform");

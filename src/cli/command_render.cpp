@@ -91,9 +91,14 @@ image::Image draw(views::View& view, std::vector<views::Cell>& cells, const rend
     return picture;
 }
 
+struct Chosen {
+    std::unique_ptr<render::Rasteriser> rasteriser;
+    const char* name;
+};
+
 /// The device's own rasteriser where it has one that can draw the frame, the portable one elsewhere, unless told.
-std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, const gpu::Device& device,
-                                                    const render::Frame& frame, const Context& context) {
+Chosen open_rasteriser(const std::string& which, const gpu::Device& device, const render::Frame& frame,
+                       const Context& context) {
     const bool has_own = device.info().rasteriser;
     if (which == "device" && !has_own) {
         throw Error(ErrorKind::usage,
@@ -110,9 +115,9 @@ std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& which, co
                                  device.info().id));
     }
     if (which == "device" || (which == "auto" && has_own && frame.samples == 4 && common)) {
-        return backends::open_rasteriser(device);
+        return {backends::open_rasteriser(device), "its own rasteriser"};
     }
-    return raster::open_portable(device);
+    return {raster::open_portable(device), "the portable rasteriser"};
 }
 
 patches::HairSet hair_to_show(const Context& context, const Words& words, const scene::Scene& scene) {
@@ -148,7 +153,7 @@ int run(const Context& context, const Words& words) {
     gpu::Device device = backends::open_device(words.device);
     const views::Subject subject{device, scene, patches, hair, hair_options};
     std::vector<views::Cell> cells = make_cells(words.job, words.compare, subject);
-    const auto rasteriser = open_rasteriser(words.raster, device, frame, context);
+    const auto [rasteriser, rasteriser_name] = open_rasteriser(words.raster, device, frame, context);
 
     const auto view = make_view(words.look.view, words.view, subject);
 
@@ -176,9 +181,10 @@ int run(const Context& context, const Words& words) {
     const std::string written = output.finish();
     progress.clear();
     for (const views::Cell& cell : cells) {
-        say(context, fmt::format("{}: {}, {} patches -> {} triangles on {} ({})", written, cell.label,
-                                 patches.patch_count() + hair.patches.size(),
-                                 cell.tessellator->totals().index_count / 3, device.info().id, device.info().name));
+        say(context,
+            fmt::format("{}: {}, {} patches -> {} triangles on {} ({}), drawn by {}", written, cell.label,
+                        patches.patch_count() + hair.patches.size(), cell.tessellator->totals().index_count / 3,
+                        device.info().id, device.info().name, rasteriser_name));
     }
     return exit_fine;
 }

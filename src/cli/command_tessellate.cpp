@@ -41,8 +41,10 @@ void report(const Context& context, const TessellateWords& words, const gpu::Dev
         if (stage == StageId::tangents && !totals.has_tangents) continue;
         if (stage == StageId::attributes && !totals.has_attributes) continue;
         const double milliseconds = times.seconds[i] * 1e3;
-        say(context, times.measured ? fmt::format("  {:<14}{:>10.3f} ms", name(stage), milliseconds)
-                                    : fmt::format("  {:<14}  not timed: the device has no timestamps", name(stage)));
+        const bool with_vertices = stage == StageId::indices && times.measured && times.seconds[i] == 0.0;
+        say(context, !times.measured ? fmt::format("  {:<14}  not timed: the device has no timestamps", name(stage))
+                     : with_vertices ? fmt::format("  {:<14}  in the same pass as the vertices", name(stage))
+                                     : fmt::format("  {:<14}{:>10.3f} ms", name(stage), milliseconds));
         stages[std::string(name(stage))] = times.measured ? nlohmann::ordered_json(milliseconds) : nullptr;
     }
     say(context, fmt::format("  {:<14}{:>10.3f} ms", "in all", seconds * 1e3));

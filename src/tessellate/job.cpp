@@ -154,7 +154,7 @@ struct Job::State {
         for (std::uint32_t i = 0; i < chunk.patch_count; ++i) {
             domains[patches::is_quad(corners[i]) ? 1 : 0].patches.push_back(i);
         }
-        if (counts_are_known()) sum_pattern_sizes(corners);
+        if (all_share_patterns()) sum_pattern_sizes(corners);
         std::uint32_t start = 0;
         for (DomainStages& d : domains) {
             d.list_start = start;
@@ -166,7 +166,7 @@ struct Job::State {
     }
 
     /// With shared patterns the host knows what the scan will find, and need not wait for it.
-    bool counts_are_known() const {
+    bool all_share_patterns() const {
         return domains[0].has_pattern() && (!patches.has_quads || domains[1].has_pattern());
     }
 
@@ -310,7 +310,7 @@ const std::vector<PatchOffset>& Job::count(std::size_t index) {
     s.parameters.upload(s.device);
     s.device.queue().submit(encoder.finish());
     s.clock.collect(s.device);
-    if (!s.counts_are_known()) s.offsets = s.counter.read_offsets(s.device, chunk.patch_count);
+    if (!s.all_share_patterns()) s.offsets = s.counter.read_offsets(s.device, chunk.patch_count);
     return s.offsets;
 }
 
@@ -378,7 +378,8 @@ void Job::emit(const Batch& batch, std::uint32_t vertex_base) {
         };
     };
     record(StageId::vertices, batch.vertex_count, of_domain(&DomainStages::vertices));
-    record(StageId::indices, batch.index_count / 3, of_domain(&DomainStages::indices));
+    // A stage of its own only where some domain has no shared pattern.
+    if (!s.all_share_patterns()) record(StageId::indices, batch.index_count / 3, of_domain(&DomainStages::indices));
     if (s.has_tangents()) record(StageId::tangents, batch.vertex_count, of_domain(&DomainStages::tangents));
     if (s.attributes.is_wanted()) {
         record(StageId::attributes, batch.vertex_count,
