@@ -11,8 +11,8 @@ namespace tessera::backends::opencl {
 namespace {
 
 // Nothing here may loosen floats. Contraction is turned off by the source (#pragma OPENCL FP_CONTRACT OFF): OpenCL has
-// no option for it. tests/opencl checks the bits. The length of a run is the kernels' (kernels/emission.h). -w: PoCL would
-// print on the user's terminal that a loop is not vectorised yet, which it then is.
+// no option for it. tests/opencl checks the bits. The length of a run is the kernels' (kernels/emission.h). -w: PoCL
+// would print on the user's terminal that a loop is not vectorised yet, which it then is.
 constexpr const char* cpu_build_options = "-w -cl-std=CL1.2 -DTESSERA_RUN=16";
 constexpr const char* build_options = "-w -cl-std=CL1.2 -DTESSERA_RUN=1";
 
