@@ -137,8 +137,12 @@ Found choose(const std::string& id) {
     return *chosen;
 }
 
-bool draws(const Found& device) {
-    return device.info.rasteriser && device.entry->open_rasteriser != nullptr;
+bool draws(const Entry& entry, const gpu::DeviceInfo& info) {
+    return info.rasteriser && entry.open_rasteriser != nullptr;
+}
+
+std::unique_ptr<render::Rasteriser> open_rasteriser_of(const Found& device) {
+    return device.entry->open_rasteriser(gpu::Device(device.entry->open(device.index)));
 }
 
 }  // namespace
@@ -161,22 +165,21 @@ gpu::Device open_device(const std::string& id) {
 std::unique_ptr<render::Rasteriser> open_rasteriser(const std::string& id) {
     if (!id.empty()) {
         const Found wanted = choose(id);
-        if (draws(wanted)) {
-            return wanted.entry->open_rasteriser(gpu::Device(wanted.entry->open(wanted.index)));
-        }
+        if (draws(*wanted.entry, wanted.info)) return open_rasteriser_of(wanted);
     }
     const Search search = look_everywhere();
-    const auto first = std::ranges::find_if(search.devices, draws);
+    const auto first =
+        std::ranges::find_if(search.devices, [](const Found& device) { return draws(*device.entry, device.info); });
     if (first == search.devices.end()) {
         throw Error(ErrorKind::device_unavailable,
                     fmt::format("No device here draws triangles, which a picture needs; {}", describe(search)));
     }
-    return first->entry->open_rasteriser(gpu::Device(first->entry->open(first->index)));
+    return open_rasteriser_of(*first);
 }
 
 std::unique_ptr<render::Rasteriser> open_rasteriser(const gpu::Device& device) {
     const auto entry = std::ranges::find(entries, device.info().backend, &Entry::name);
-    if (!device.info().rasteriser || entry == entries.end() || entry->open_rasteriser == nullptr) {
+    if (entry == entries.end() || !draws(*entry, device.info())) {
         throw Error(ErrorKind::device_unavailable, fmt::format("{} has no rasteriser of its own.", device.info().id));
     }
     return entry->open_rasteriser(device);

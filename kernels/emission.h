@@ -45,6 +45,36 @@ FUNCTION uint run_length(uint first, uint count) {
     run[RUN + (k)] = (base) + ((flip) ? (corners).c : (corners).b); \
     run[2u * RUN + (k)] = (base) + ((flip) ? (corners).b : (corners).c)
 
+/// Of words [begin, end) of a patch's indices, which lie from word `start` of the buffer on: whole runs that begin on a
+/// multiple of RUN words.
+STRUCT(WholeRuns) {
+    uint begin;
+    uint end;
+};
+
+FUNCTION WholeRuns whole_runs(uint start, uint begin, uint end) {
+    const uint aligned = begin + ((0u - (start + begin)) & (RUN - 1u));
+    WholeRuns whole;
+    whole.begin = aligned < end ? aligned : end;
+    whole.end = whole.begin + ((end - whole.begin) & ~(RUN - 1u));
+    return whole;
+}
+
+/// Copies indices to a patch's place, `base` added: every `step`-th run from `word` on that begins before `until`; and
+/// words [begin, end).
+#define COPY_INDEX_RUNS(index_buffer, start, word, until, step, base, table, table_at) \
+    for (; word < (until); word = word + (step)) {                                     \
+        uint indices[RUN];                                                             \
+        FOR_RUN(k) {                                                                   \
+            indices[k] = (base) + table[RUN_AT((table_at) + word, k)];                 \
+        }                                                                              \
+        STREAM_WORDS(index_buffer, (start) + word, indices);                           \
+    }
+#define COPY_INDICES(index_buffer, start, begin, end, base, table, table_at) \
+    for (uint at = begin; at < (end); ++at) {                                \
+        index_buffer[(start) + at] = (base) + table[(table_at) + at];        \
+    }
+
 KERNELS_END
 
 #endif

@@ -6,18 +6,6 @@
 #include "emission.h"
 #include "tessellator/run_points.h"
 
-#if VERTICES_SHARED
-/// Runs of a patch's indices, from `word` on, that begin before `until`.
-#define STREAM_INDICES(word, until)                               \
-    for (; word < until; word = word + e.step) {                  \
-        uint indices[RUN];                                        \
-        FOR_RUN(k) {                                              \
-            indices[k] = base + pattern_indices[RUN_AT(word, k)]; \
-        }                                                         \
-        STREAM_WORDS(index_buffer, index_start + word, indices);  \
-    }
-#endif
-
 KERNELS_BEGIN
 
 #if VERTICES_SHARED
@@ -56,13 +44,11 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
     const uint base = p.vertex_base + start;
     const uint index_start = INDEX_START(p, offsets, patch_index);
     const uint words = INDEX_COUNT(offsets, patch_index);
-    const uint unaligned = (0u - index_start) & (RUN - 1u);
-    const uint lead = unaligned < words ? unaligned : words;
-    const uint whole = lead + ((words - lead) & ~(RUN - 1u));
+    const WholeRuns whole = whole_runs(index_start, 0u, words);
     // Words up to which runs are streamed, more after each run of vertices; where a run is one element, all at the end.
     const uint turn = RUN > 1u ? e.step * (words / (count + 1u) + 1u) : 0u;
-    uint until = lead;
-    uint word = lead + e.first;
+    uint until = whole.begin;
+    uint word = whole.begin + e.first;
 #endif
     // Runs begin on whole groups of the buffer: the first one may hold a vertex before the patch, which is not written.
     const uint shift = start & (STREAM_GROUP - 1u);
@@ -100,19 +86,15 @@ KERNEL6(VERTICES_KERNEL, READ(0, float, nets), READ(1, uint, records), READ(2, u
         }
         STREAM_VERTICES(vertex_buffer, start, first, count, run);
 #if VERTICES_SHARED
-        until = until + turn < whole ? until + turn : whole;
-        STREAM_INDICES(word, until);
+        until = until + turn < whole.end ? until + turn : whole.end;
+        COPY_INDEX_RUNS(index_buffer, index_start, word, until, e.step, base, pattern_indices, 0u)
 #endif
     }
 #if VERTICES_SHARED
-    STREAM_INDICES(word, whole);
+    COPY_INDEX_RUNS(index_buffer, index_start, word, whole.end, e.step, base, pattern_indices, 0u)
     if (e.first == 0u) {
-        for (uint at = 0u; at < lead; ++at) {
-            index_buffer[index_start + at] = base + pattern_indices[at];
-        }
-        for (uint at = whole; at < words; ++at) {
-            index_buffer[index_start + at] = base + pattern_indices[at];
-        }
+        COPY_INDICES(index_buffer, index_start, 0u, whole.begin, base, pattern_indices, 0u)
+        COPY_INDICES(index_buffer, index_start, whole.end, words, base, pattern_indices, 0u)
     }
 #endif
     STREAM_END;
@@ -122,6 +104,5 @@ KERNELS_END
 
 #undef VERTICES_KERNEL
 #undef VERTICES_SHARED
-#undef STREAM_INDICES
 #include "schemes/end_surface.h"
 #include "tessellator/end_domain.h"

@@ -85,21 +85,12 @@ KERNEL5(INDICES_KERNEL, READ(0, uint, records), READ(1, uint, offsets), READ(2, 
     const uint inner_base = base + place.base;
     const uint begin = 3u * outer;
     const uint table_at = place.triangles - begin;  // wraps around
-    const uint unaligned = begin + ((0u - (start + begin)) & (RUN - 1u));
-    const uint lead = unaligned < words ? unaligned : words;
-    for (uint at = lead + e.first; at + RUN <= words; at = at + e.step) {
-        uint run[RUN];
-        FOR_RUN(k) {
-            run[k] = inner_base + ring_table[RUN_AT(table_at + at, k)];
-        }
-        STREAM_WORDS(index_buffer, start + at, run);
-    }
-    const uint tail = e.first == 0u ? words - ((words - lead) & (RUN - 1u)) : words;
-    for (uint at = e.first == 0u ? begin : lead; at < lead; ++at) {
-        index_buffer[start + at] = inner_base + ring_table[table_at + at];
-    }
-    for (uint at = tail; at < words; ++at) {
-        index_buffer[start + at] = inner_base + ring_table[table_at + at];
+    const WholeRuns whole = whole_runs(start, begin, words);
+    uint word = whole.begin + e.first;
+    COPY_INDEX_RUNS(index_buffer, start, word, whole.end, e.step, inner_base, ring_table, table_at)
+    if (e.first == 0u) {
+        COPY_INDICES(index_buffer, start, begin, whole.begin, inner_base, ring_table, table_at)
+        COPY_INDICES(index_buffer, start, whole.end, words, inner_base, ring_table, table_at)
     }
 #endif
     STREAM_END;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "bench/job_run.hpp"
 #include "render/mesh_sinks.hpp"
+#include "render/survey.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/tessellate.hpp"
 
@@ -102,13 +103,8 @@ public:
 private:
     static void draw(Tessellator& tessellator, const Workload& workload, render::Rasteriser& rasteriser,
                      const scene::Scene& scene) {
-        render::Bounds bounds;
-        for (const Vertex& v : workload.patches.control_vertices) {
-            bounds.min = glm::min(bounds.min, glm::vec3(v.position[0], v.position[1], v.position[2]));
-            bounds.max = glm::max(bounds.max, glm::vec3(v.position[0], v.position[1], v.position[2]));
-        }
         render::Frame frame;
-        frame.camera = render::frame_bounds(bounds, {}, 1.0f);
+        frame.camera = render::frame_bounds(render::bounds_of(workload.patches.control_vertices), {}, 1.0f);
         rasteriser.begin(frame);
         rasteriser.set_materials(scene.materials, scene.images);
         render::DrawSink sink(rasteriser, tessellator.totals().parts);

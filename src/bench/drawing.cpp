@@ -1,6 +1,7 @@
 #include "bench/drawing.hpp"
 
 #include "bench/growth.hpp"
+#include "bench/workload.hpp"
 #include "render/resident_mesh.hpp"
 #include "scene/scene.hpp"
 #include "tessellate/tessellate.hpp"
@@ -17,23 +18,27 @@ RefinedMesh sphere(const gpu::Device& device, float factor, bool quick) {
     TessellationOptions options;
     options.scheme = Scheme::pn;
     options.partitioning = Partitioning::uniform;
-    options.factors = PatchFactors{factor, factor, factor, factor, factor, factor};
+    options.factors = equal_factors(factor);
     const patches::PatchSet set =
         patches::make_patches(scene::load_scene(quick ? "shape:sphere:5" : "shape:sphere:50"));
     return tessellate(device, set, options);
+}
+
+render::Camera camera_of(const RefinedMesh& mesh) {
+    render::Framing framing({}, 1.0f);
+    for (const Vertex& vertex : mesh.vertices) {
+        framing.add({vertex.position[0], vertex.position[1], vertex.position[2]});
+    }
+    return framing.camera();
 }
 
 /// Draws one mesh into a picture of its own rasteriser.
 class Drawer {
 public:
     Drawer(std::string name, std::unique_ptr<render::Rasteriser> rasteriser, const RefinedMesh& mesh,
-           std::uint32_t samples)
+           const render::Camera& camera, std::uint32_t samples)
         : name_(std::move(name)), rasteriser_(std::move(rasteriser)), mesh_(mesh) {
-        render::Framing framing({}, 1.0f);
-        for (const Vertex& vertex : mesh.vertices) {
-            framing.add({vertex.position[0], vertex.position[1], vertex.position[2]});
-        }
-        frame_.camera = framing.camera();
+        frame_.camera = camera;
         frame_.samples = samples;
     }
 
@@ -66,29 +71,35 @@ private:
 
 std::vector<Drawer> drawers_of(const std::vector<gpu::Device>& devices, const Rasterisers& rasterisers,
                                const RefinedMesh& mesh) {
+    const render::Camera camera = camera_of(mesh);
     std::vector<Drawer> drawers;
     for (const gpu::Device& device : devices) {
         const std::string& id = device.info().id;
         if (rasterisers.portable) {
             for (const std::uint32_t samples : {1u, 4u}) {
                 drawers.emplace_back(portable_contestant(id, samples, false), rasterisers.portable(device), mesh,
-                                     samples);
+                                     camera, samples);
                 drawers.back().put_on(device);
             }
-            drawers.emplace_back(portable_contestant(id, 4, true), rasterisers.portable(device), mesh, 4);
+            drawers.emplace_back(portable_contestant(id, 4, true), rasterisers.portable(device), mesh, camera, 4);
         }
         auto own = rasterisers.own ? rasterisers.own(device) : nullptr;
         if (own != nullptr) {
-            drawers.emplace_back(own_contestant(id, false), std::move(own), mesh, 4);
+            drawers.emplace_back(own_contestant(id, false), std::move(own), mesh, camera, 4);
             drawers.back().put_on(device);
-            drawers.emplace_back(own_contestant(id, true), rasterisers.own(device), mesh, 4);
+            drawers.emplace_back(own_contestant(id, true), rasterisers.own(device), mesh, camera, 4);
         }
     }
     return drawers;
 }
 
-std::vector<Contestant> timed(const std::vector<gpu::Device>& devices, const Effort& effort,
-                              const Rasterisers& rasterisers, const RefinedMesh& mesh) {
+struct Timed {
+    std::string name;
+    Summary seconds;
+};
+
+std::vector<Timed> time_drawers(const std::vector<gpu::Device>& devices, const Effort& effort,
+                                const Rasterisers& rasterisers, const RefinedMesh& mesh) {
     std::vector<Drawer> drawers = drawers_of(devices, rasterisers, mesh);
     std::vector<Contestant> contestants;
     for (Drawer& drawer : drawers) {
@@ -98,15 +109,19 @@ std::vector<Contestant> timed(const std::vector<gpu::Device>& devices, const Eff
     enough.repetitions = (effort.repetitions + 1) / 2;
     enough.warm_ups = 1;
     interleave(contestants, enough);
-    return contestants;
+    std::vector<Timed> timed;
+    for (const Contestant& contestant : contestants) {
+        timed.push_back({contestant.name, summarise(contestant.seconds)});
+    }
+    return timed;
 }
 
-Figure figure_of(const Contestant& contestant, const RefinedMesh& mesh) {
+Figure figure_of(const Timed& timed, const RefinedMesh& mesh) {
     Figure figure;
     figure.workload = "W7";
-    figure.contestant = contestant.name;
-    figure.peer = contestant.name.starts_with(own_prefix);
-    figure.seconds = summarise(contestant.seconds);
+    figure.contestant = timed.name;
+    figure.peer = timed.name.starts_with(own_prefix);
+    figure.seconds = timed.seconds;
     figure.vertices = mesh.vertices.size();
     figure.triangles = mesh.indices.size() / 3;
     return figure;
@@ -130,15 +145,15 @@ void measure_drawing(Report& report, const std::vector<gpu::Device>& devices, co
     std::vector<double> triangles;
     std::vector<std::vector<double>> medians;
     RefinedMesh mesh;
-    std::vector<Contestant> contestants;
+    std::vector<Timed> timed;
     for (const float factor : quick ? std::array{2.0f, 4.0f, 8.0f} : std::array{4.0f, 8.0f, 16.0f}) {
         mesh = sphere(devices.front(), factor, quick);
-        contestants = timed(devices, effort, rasterisers, mesh);
+        timed = time_drawers(devices, effort, rasterisers, mesh);
         triangles.push_back(static_cast<double>(mesh.indices.size() / 3));
         growth.columns.push_back(fmt::format("{:.4g} million, ms", triangles.back() * 1e-6));
-        medians.resize(contestants.size());
-        for (std::size_t i = 0; i < contestants.size(); ++i) {
-            medians[i].push_back(summarise(contestants[i].seconds).median);
+        medians.resize(timed.size());
+        for (std::size_t i = 0; i < timed.size(); ++i) {
+            medians[i].push_back(timed[i].seconds.median);
         }
     }
     report.workloads.emplace_back("W7",
@@ -146,9 +161,9 @@ void measure_drawing(Report& report, const std::vector<gpu::Device>& devices, co
                                               "back; from buffers of the device, or uploaded meanwhile",
                                               triangles.back() * 1e-6));
     add_growth_columns(growth, "triangle");
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-        report.figures.push_back(figure_of(contestants[i], mesh));
-        growth.rows.push_back(growth_row(contestants[i].name, triangles, medians[i]));
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+        report.figures.push_back(figure_of(timed[i], mesh));
+        growth.rows.push_back(growth_row(timed[i].name, triangles, medians[i]));
     }
     report.tables.push_back(std::move(growth));
 }

@@ -39,6 +39,12 @@ Buffer Device::create_buffer(const BufferDescriptor& descriptor) {
     return buffer;
 }
 
+Buffer create_filled_buffer(Device& device, const char* label, std::span<const std::byte> data) {
+    Buffer buffer = device.create_buffer({label, data.size(), BufferUsage::storage | BufferUsage::copy_destination});
+    device.queue().write_buffer(buffer, 0, data);
+    return buffer;
+}
+
 std::uint64_t Buffer::size() const {
     return detail::not_null(state_, "Buffer::size", "buffer").descriptor.size;
 }

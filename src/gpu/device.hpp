@@ -167,4 +167,7 @@ public:
     std::shared_ptr<detail::DeviceState> state_;
 };
 
+/// A new buffer that holds `data`, for kernels to read.
+Buffer create_filled_buffer(Device& device, const char* label, std::span<const std::byte> data);
+
 }  // namespace tessera::gpu

@@ -10,8 +10,6 @@
 namespace tessera::raster {
 namespace {
 
-using gpu::BufferUsage;
-
 bool holds_pixels(const image::Image& image) {
     return image.width > 0 && image.height > 0 && image.width <= image::max_side && image.height <= image::max_side &&
            image.rgba.size() == std::size_t{image.width} * image.height * 4;
@@ -44,10 +42,7 @@ std::vector<std::uint32_t> TexelBuffers::header(const Look& look) const {
 }
 
 gpu::Buffer TexelBuffers::create(const std::vector<std::uint32_t>& words) {
-    gpu::Buffer buffer = device_.create_buffer(
-        {"textures of a material", words.size() * 4, BufferUsage::storage | BufferUsage::copy_destination});
-    device_.queue().write_buffer(buffer, 0, std::as_bytes(std::span(words)));
-    return buffer;
+    return gpu::create_filled_buffer(device_, "textures of a material", std::as_bytes(std::span(words)));
 }
 
 std::uint64_t TexelBuffers::most_words() const {

@@ -28,14 +28,7 @@ void check_range(const char* what, const gpu::Buffer& buffer, std::uint64_t firs
 }  // namespace
 
 void check_draw(const DeviceDraw& draw, std::size_t material_count) {
-    if (draw.material >= material_count) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("A draw names material {}, but there are {}.", draw.material, material_count));
-    }
-    if (draw.index_count % 3 != 0) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("A draw has {} indices, which is no multiple of 3.", draw.index_count));
-    }
+    check_triangles(draw.material, material_count, draw.index_count);
     check_range("vertices", draw.vertices, draw.first_vertex, draw.vertex_count, sizeof(Vertex));
     check_range("indices", draw.indices, draw.first_index, draw.index_count, sizeof(std::uint32_t));
     if (draw.attributes) {

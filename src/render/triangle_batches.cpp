@@ -8,15 +8,18 @@
 
 namespace tessera::render {
 
+void check_triangles(std::uint32_t material, std::size_t material_count, std::uint64_t index_count) {
+    if (material >= material_count) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("A draw names material {}, but there are {}.", material, material_count));
+    }
+    if (index_count % 3 != 0) {
+        throw Error(ErrorKind::usage, fmt::format("A draw has {} indices, which is no multiple of 3.", index_count));
+    }
+}
+
 void check_draw(const Draw& draw, std::size_t material_count) {
-    if (draw.material >= material_count) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("A draw names material {}, but there are {}.", draw.material, material_count));
-    }
-    if (draw.indices.size() % 3 != 0) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("A draw has {} indices, which is no multiple of 3.", draw.indices.size()));
-    }
+    check_triangles(draw.material, material_count, draw.indices.size());
     if (!draw.attributes.empty() && draw.attributes.size() != draw.vertices.size()) {
         throw Error(ErrorKind::usage,
                     fmt::format("A draw has attributes of {} vertices for {} vertices; give none, or one per vertex.",

@@ -29,6 +29,10 @@ struct Draw {
     std::span<const VertexAttributes> attributes{};  ///< one per vertex, or none: white, and no tangents
 };
 
+/// Throws Error(usage) for a material that is not less than `material_count`, and a number of indices that is no
+/// multiple of 3: what all draws are checked for.
+void check_triangles(std::uint32_t material, std::size_t material_count, std::uint64_t index_count);
+
 /// Throws Error(usage) for a material that is not less than `material_count`, a number of indices that is no multiple
 /// of 3, and attributes that are not as many as the vertices. Indices themselves are looked at by take_batch.
 void check_draw(const Draw& draw, std::size_t material_count);

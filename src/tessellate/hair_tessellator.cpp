@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "tessellate/device_batch.hpp"
+#include "tessellate/host_batch.hpp"
 #include "tessellate/mesh_parts.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +29,7 @@ void HairTessellator::run(MeshSink& sink, std::uint64_t first_vertex, std::uint6
                                                   "32-bit indices can address; ask for fewer hairs or segments.",
                                                   end));
     }
-    std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;
+    HostBatch host;
     std::uint64_t done = 0;
     for (std::size_t i = 0; i < job_.chunk_count(); ++i) {
         if (counted_chunk_ != i) {
@@ -40,12 +40,9 @@ void HairTessellator::run(MeshSink& sink, std::uint64_t first_vertex, std::uint6
             job_.emit(batch, static_cast<std::uint32_t>(first_vertex));
             const std::vector<StageView> views = job_.emitted_views();
             if (space != Space::kernel || !offer(sink, device_, views, batch, first_vertex, first_index)) {
-                vertices.resize(batch.vertex_count);
-                indices.resize(batch.index_count);
-                device_.queue().read_buffer(views[0].buffer, 0, std::as_writable_bytes(std::span(vertices)));
-                device_.queue().read_buffer(views[1].buffer, 0, std::as_writable_bytes(std::span(indices)));
-                if (space == Space::model) scale_to_model(vertices, hair_.exponent);
-                sink.append({first_vertex, first_index, vertices, indices});
+                host.read(device_, views);
+                if (space == Space::model) scale_to_model(host.vertices, hair_.exponent);
+                sink.append({first_vertex, first_index, host.vertices, host.indices});
             }
             first_vertex += batch.vertex_count;
             first_index += batch.index_count;

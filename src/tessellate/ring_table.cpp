@@ -72,11 +72,7 @@ std::span<const std::uint32_t> ring_table(bool flip) {
 }
 
 gpu::Buffer make_ring_table(gpu::Device& device, bool flip) {
-    const std::span<const std::uint32_t> words = ring_table(flip);
-    const auto usage = gpu::BufferUsage::storage | gpu::BufferUsage::copy_destination;
-    gpu::Buffer buffer = device.create_buffer({"ring table", words.size_bytes(), usage});
-    device.queue().write_buffer(buffer, 0, std::as_bytes(words));
-    return buffer;
+    return gpu::create_filled_buffer(device, "ring table", std::as_bytes(ring_table(flip)));
 }
 
 std::uint64_t ring_table_bytes() {

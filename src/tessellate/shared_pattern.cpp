@@ -12,13 +12,6 @@ namespace {
 constexpr std::uint64_t fewest_patches = 64;
 constexpr std::size_t margin = PATTERN_MARGIN;
 
-gpu::Buffer upload(gpu::Device& device, const char* label, const std::vector<std::uint32_t>& words) {
-    const auto usage = gpu::BufferUsage::storage | gpu::BufferUsage::copy_destination;
-    gpu::Buffer buffer = device.create_buffer({label, words.size() * 4, usage});
-    device.queue().write_buffer(buffer, 0, std::as_bytes(std::span(words)));
-    return buffer;
-}
-
 /// Adds the weights of a triangle pattern's points, which are already there.
 void append_weights(std::vector<std::uint32_t>& words, const Pattern& pattern, std::uint32_t stride) {
     static_assert(sizeof(kernels::PatternWeights) == PATTERN_WEIGHTS * 4);
@@ -64,8 +57,8 @@ SharedPattern make_shared_pattern(gpu::Device device, Domain domain, const Tesse
     if (domain == Domain::triangle && degree(options.scheme) == 3 && options.normals == Normals::quadratic)
         append_weights(points, pattern, shared.stride);
     shared.size = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(pattern.indices.size())};
-    shared.points = upload(device, "shared domain points", points);
-    shared.indices = upload(device, "shared indices", pattern.indices);
+    shared.points = gpu::create_filled_buffer(device, "shared domain points", std::as_bytes(std::span(points)));
+    shared.indices = gpu::create_filled_buffer(device, "shared indices", std::as_bytes(std::span(pattern.indices)));
     return shared;
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "layout.h"
 #include "tessellate/device_batch.hpp"
+#include "tessellate/host_batch.hpp"
 #include "tessellate/mesh_parts.hpp"
 #include "tessellate/quad_faces.hpp"
 
@@ -24,32 +25,6 @@ void mark_batch(const Batch& batch, const std::vector<PatchOffset>& offsets, std
                    std::span(quads).subspan(start / 3, count / 3));
     }
 }
-
-/// What was emitted, in host memory.
-struct HostBatch {
-    std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;
-    std::vector<Tangent> tangents;
-    std::vector<VertexAttributes> attributes;
-
-    void read(const gpu::Device& device, const std::vector<StageView>& views) {
-        tangents.clear();
-        attributes.clear();
-        for (const StageView& view : views) {
-            if (view.stage == StageId::vertices) read(device, view, vertices);
-            if (view.stage == StageId::indices) read(device, view, indices);
-            if (view.stage == StageId::tangents) read(device, view, tangents);
-            if (view.stage == StageId::attributes) read(device, view, attributes);
-        }
-    }
-
-private:
-    template <typename Element>
-    static void read(const gpu::Device& device, const StageView& view, std::vector<Element>& elements) {
-        elements.resize(view.bytes / sizeof(Element));
-        device.queue().read_buffer(view.buffer, 0, std::as_writable_bytes(std::span(elements)));
-    }
-};
 
 }  // namespace
 
